@@ -1,7 +1,7 @@
 //! Reading of a program's assignments: the value of each variable, or the reason why it was not read.
 
 use super::arrays::{Operand, Operation, ProgramArray, combined_operands};
-use super::indices::{entry_names, indexed_name, selected_entries};
+use super::indices::{bracketed_end, entry_names, indexed_name, selected_entries};
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{Source, shortened_for_message};
@@ -10,7 +10,9 @@ use crate::publication::names::author_files::notation_of_author_file;
 use crate::publication::names::program_variables::{
     ArrayKind, ArrayShape, ProgramValue, ProgramVariables, UnreadAssignment,
 };
-use crate::publication::printed::{Statement, TracedText, is_program_number, statement_copies_value, statements};
+use crate::publication::printed::{
+    Statement, TracedText, comma_parts, is_program_number, statement_copies_value, statements,
+};
 use crate::publication::publication_reader::PublicationReader;
 use crate::toml_reader::Located;
 use std::sync::Arc;
@@ -116,24 +118,50 @@ impl<'a> PublicationReader<'a, '_> {
             return;
         }
         let formula = self.register_assembled_formula(source, right);
-        if self.assign_array_formula(&name, operator, &formula, notation) {
+        // In Python, an operator such as `+=` changes an array that may have other names.
+        if operator.is_some() && notation == Notation::Python {
+            self.forget_aliases(&name);
+        }
+        self.assign_formula(&name, operator, &formula, notation, &unread);
+        let viewed = viewed_array(&formula.text);
+        if operator.is_none()
+            && notation == Notation::Python
+            && let Some(locals) = Arc::get_mut(&mut self.words.locals)
+            && viewed != name
+            && locals.array_shape(viewed).is_some()
+        {
+            locals.record_alias(&name, viewed);
+        }
+    }
+
+    /// Assigns a formula to a variable, or changes the variable by an operator such as `+=`. `unread` makes the value
+    /// of a variable, for a reason, whose formula is not read.
+    fn assign_formula(
+        &mut self,
+        name: &str,
+        operator: Option<char>,
+        formula: &Located,
+        notation: Notation,
+        unread: &dyn Fn(&str, &str) -> ProgramValue,
+    ) {
+        if self.assign_array_formula(name, operator, formula, notation) {
             return;
         }
-        let value = self.words.read_program_formula(&mut self.model.arena, &formula, notation);
+        let value = self.words.read_program_formula(&mut self.model.arena, formula, notation);
         match (value, operator) {
             (ProgramValue::Value(value), None) => {
-                self.words.record_program_variable(&self.model.arena, &name, &formula, notation, value);
-                self.assign_program_value(&name, ProgramValue::Value(value), notation);
+                self.words.record_program_variable(&self.model.arena, name, formula, notation, value);
+                self.assign_program_value(name, ProgramValue::Value(value), notation);
             }
             (ProgramValue::Value(value), Some(operator)) => {
-                self.apply_compound_assignment(&name, operator, value, notation, &unread);
+                self.apply_compound_assignment(name, operator, value, notation, unread);
             }
             (ProgramValue::Unread(unread), _) => {
-                let wrong = || ProgramValue::Unread(unread.naming_variable(&name));
+                let wrong = || ProgramValue::Unread(unread.naming_variable(name));
                 if operator.is_none() {
-                    self.assign_declared_meaning(&name, &formula.text, notation, wrong);
+                    self.assign_declared_meaning(name, &formula.text, notation, wrong);
                 } else {
-                    self.assign_program_value(&name, wrong(), notation);
+                    self.assign_program_value(name, wrong(), notation);
                 }
             }
         }
@@ -162,10 +190,6 @@ impl<'a> PublicationReader<'a, '_> {
         if operator.is_none() && copied == name {
             return true;
         }
-        // In Python, an operator such as `+=` changes an array that may have other names.
-        if operator.is_some() && notation == Notation::Python {
-            self.forget_aliases(name);
-        }
         let outcome = read.and_then(|(array, solutions)| {
             let changed = match (operator, own) {
                 (None, _) => Ok(array),
@@ -186,10 +210,6 @@ impl<'a> PublicationReader<'a, '_> {
                 if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
                     for solution in solutions {
                         locals.record_linear_solution(solution);
-                    }
-                    let source = viewed_array(&formula.text);
-                    if notation == Notation::Python && operator.is_none() && locals.array_shape(source).is_some() {
-                        locals.record_alias(name, source);
                     }
                 }
             }
@@ -467,15 +487,29 @@ impl<'a> PublicationReader<'a, '_> {
     }
 }
 
-/// Name of the array of which a formula of Python is the array itself or a view, as `A`, `A.T` and
-/// `A[0]`; another text for other formulas.
+/// Methods and functions of NumPy that return a view of an array: entries in the same memory.
+const VIEWS: [&str; 8] = ["asarray", "ravel", "reshape", "squeeze", "swapaxes", "transpose", "view", "atleast_2d"];
+
+/// Name of the array of which a formula of Python is the array itself or a view, as `A`, `A.T`, `A[0]`,
+/// `A.reshape(2, 2)` and `np.asarray(A)`. For other formulas, a text that is no name.
 fn viewed_array(formula: &str) -> &str {
     let mut text = formula.trim();
-    let views = [".T", ".transpose()", ".ravel()"];
-    while let Some(rest) = views.iter().find_map(|view| text.strip_suffix(view)) {
-        text = rest;
+    loop {
+        if let Some(rest) = text.strip_suffix(".T") {
+            text = rest;
+            continue;
+        }
+        // Opening bracket of the call that ends the formula.
+        let mut brackets = text.match_indices('(').map(|(at, _)| at);
+        let Some(open) = brackets.find(|at| bracketed_end(text, *at) == Some(text.len())) else { break };
+        let (object, function) = text[..open].rsplit_once('.').unwrap_or(("", &text[..open]));
+        if !VIEWS.contains(&function) {
+            break;
+        }
+        let inside = &text[open + 1..text.len() - 1];
+        let is_module = matches!(object, "" | "np" | "numpy");
+        text =
+            if is_module { comma_parts(inside).first().map_or("", |part| inside[part.clone()].trim()) } else { object };
     }
-    let inner = text.strip_suffix(')').and_then(|text| text.split_once("asarray(")).map(|(_, inner)| inner);
-    let text = inner.unwrap_or(text);
     indexed_name(text).map_or(text, |(name, _)| name)
 }
