@@ -167,6 +167,11 @@ pub fn numbers_of(text: &str, place: &Range<usize>, what: &str, reading: &Readin
     Some(numbers)
 }
 
+/// True if a text has a number other than 0 among the numbers that white space separates.
+pub fn has_nonzero_number(text: &str) -> bool {
+    text.split_whitespace().filter_map(|word| word.parse::<f64>().ok()).any(|number| number != 0.0)
+}
+
 /// Attribute with exactly `N` numbers. `None` if the attribute is absent, or after recording a mistake.
 pub fn fixed_numbers<const N: usize>(node: Node<'_, '_>, name: &str, reading: &Reading) -> Option<[f64; N]> {
     let text = node.attribute(name)?;

@@ -324,6 +324,10 @@ fn mistakes_of_descriptions_are_shown_with_their_place() {
             "<mujoco><worldbody><body name=\"a\" quat=\"1 0 0 0\" euler=\"0 0 9\"/></worldbody></mujoco>",
             "state the orientation",
         ),
+        (
+            "<mujoco><worldbody><body><joint/><inertial pos=\"0 0 0\" mass=\"-1\" diaginertia=\"1 1 1\"/></body></worldbody></mujoco>",
+            "the mass -1 is negative",
+        ),
         ("<mujoco><include file=\"other.xml\"/></mujoco>", "the file includes another one"),
         (
             "<mujoco><worldbody><body name=\"a\"><joint/><geom size=\"-1\"/></body></worldbody></mujoco>",

@@ -2,7 +2,7 @@
 
 use super::Reader;
 use crate::robot::{Actuator, ActuatorInput};
-use crate::xml::elements;
+use crate::xml::{elements, has_nonzero_number};
 use roxmltree::Node;
 
 impl<'a> Reader<'a, '_> {
@@ -27,7 +27,7 @@ impl<'a> Reader<'a, '_> {
                 ("damping", "damping"),
                 ("delay", "delay"),
             ] {
-                if element.text(property).is_some_and(|text| text.contains(|c| ('1'..='9').contains(&c))) {
+                if element.text(property).is_some_and(has_nonzero_number) {
                     self.reading.omit(format!("{what} of the actuator {name}"));
                 }
             }

@@ -82,7 +82,7 @@ pub fn read(element: &Element<'_, '_, '_>, around: &Pose, angles: &Angles, readi
     });
     Geom {
         shape: Some(Shape { solid, pose }),
-        inertia: inertia.filter(|inertia| inertia.mass > 0.0),
+        inertia: inertia.filter(|inertia| inertia.mass != 0.0),
         group,
         is_mesh: false,
     }

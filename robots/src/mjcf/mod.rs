@@ -12,7 +12,7 @@ mod geoms;
 
 use crate::pose::Pose;
 use crate::robot::{Body, Inertia, Joint, JointIndex, JointMotion, Robot};
-use crate::xml::{Reading, elements, fixed_numbers, place, vector};
+use crate::xml::{Reading, elements, fixed_numbers, has_nonzero_number, place, vector};
 use element::{Angles, Defaults, Element, read_orientation, read_pose};
 use nalgebra::{Matrix3, Vector3};
 use roxmltree::Node;
@@ -230,7 +230,7 @@ impl<'a> Reader<'a, '_> {
                 }
             }
             for name in ["density", "viscosity", "wind"] {
-                if node.attribute(name).is_some_and(|text| text.contains(|c| ('1'..='9').contains(&c))) {
+                if node.attribute(name).is_some_and(has_nonzero_number) {
                     self.reading.omit(format!("{name} of the medium"));
                 }
             }
@@ -293,7 +293,7 @@ impl<'a> Reader<'a, '_> {
         if node.attribute("mocap") == Some("true") {
             self.reading.omit(format!("motion of the body {name}, which a user sets"));
         }
-        if node.attribute("gravcomp").is_some_and(|text| text.contains(|c| ('1'..='9').contains(&c))) {
+        if node.attribute("gravcomp").is_some_and(has_nonzero_number) {
             self.reading.omit(format!("compensation of the weight of {name}"));
         }
         self.robot.bodies.push(Body {
@@ -363,8 +363,10 @@ impl<'a> Reader<'a, '_> {
         } else {
             inertial.and_then(|inertial| Some(self.read_inertial(inertial.node)?.moved(&inertial.pose)))
         };
-        let mut inertia = inertia.filter(|inertia| inertia.mass > 0.0)?;
-        inertia.mass = inertia.mass.max(self.compiler.least_mass);
+        let mut inertia = inertia.filter(|inertia| inertia.mass != 0.0)?;
+        if inertia.mass > 0.0 {
+            inertia.mass = inertia.mass.max(self.compiler.least_mass);
+        }
         if self.compiler.least_moment > 0.0 {
             let mut principal = inertia.tensor.symmetric_eigen();
             principal.eigenvalues.apply(|moment| *moment = moment.max(self.compiler.least_moment));

@@ -25,6 +25,9 @@ pub(super) const JOINT_AFFIXES: &[&str] = &[
     "u_*_4",
     "u_*_5",
     "u_*_6",
+    "*_base",
+    "*_base_turn1",
+    "*_base_turn2",
     "*_damping",
     "*_friction",
     "*_spring",
@@ -50,7 +53,8 @@ impl Writer<'_> {
     /// Writes a body with its joints. Joints before the last one move auxiliary bodies without mass. A body whose joint
     /// has an oblique axis has its axis 3 along it.
     pub(super) fn write_body(&mut self, at: usize, body: &Body) {
-        let name = self.names.reserve(&body.name, &["*", "*_frame", "*_centre", "m_*"]);
+        let name =
+            self.names.reserve(&body.name, &["*", "*_frame", "*_frame_turn1", "*_frame_turn2", "*_centre", "m_*"]);
         let mut carrier = body.parent.map(|parent| self.bodies[parent].body.clone());
         // Pose of the description's axes of the body in the model's axes of the joint's carrier.
         let mut outer = self.on_body(body.parent, &body.pose).2;

@@ -171,7 +171,9 @@ pub fn solve_linear_near(
     let mut rows: Vec<Vec<Expr>> = a.iter().zip(b).map(|(l, r)| [l.as_slice(), r].concat()).collect();
     let (mut pivots, mut used, mut order) = (Vec::new(), vec![false; n], Vec::new());
     for _ in 0..n {
-        let Some((row, column)) = simplest_linear_pivot(arena, &rows, &used, &order, n, point) else {
+        let Some((row, column)) = simplest_linear_pivot(arena, &rows, &used, &order, n, point)
+            .or_else(|| simplest_linear_pivot(arena, &rows, &used, &order, n, None))
+        else {
             let row = (0..n).find(|r| !used[*r]).unwrap_or(n);
             return Err(Singular { rank: order.len(), row });
         };

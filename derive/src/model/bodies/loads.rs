@@ -297,23 +297,7 @@ fn is_torque<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>) -> Option<bo
 
 /// Reads the configuration at which the potential energy of gravity is zero, as pairs (coordinate, value).
 fn gravity_zero_configuration<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Vec<(Expr, Expr)> {
-    let mut pairs = Vec::new();
-    let Some(entry) = loading.reader.table(value, "`zero_at`", "{ q2 = 0 }") else { return pairs };
-    for (name, value) in loading.reader.entries(entry) {
-        if !loading.names.expect(&mut loading.reader, &name, NameKind::Coordinate) {
-            continue;
-        }
-        let Some(formula) = loading.reader.formula(value, "a coordinate's value") else { continue };
-        let symbol = loading.arena.symbol(&name.text);
-        let Some(unit) = loading.units.get(&symbol).cloned() else { continue };
-        let what = "a coordinate's value";
-        // A plain number counts as being in the coordinate's own unit, so its unit needs no check.
-        let plain = loading.names.formula(&mut loading.reader, &mut loading.arena, &formula, PARAMETERS, what);
-        let Some(e) = plain else { continue };
-        if loading.arena.as_number(e).is_none() {
-            loading.quantity(&formula, PARAMETERS, &unit, what);
-        }
-        pairs.push((symbol, e));
-    }
-    pairs
+    let Some(table) = loading.reader.table(value, "`zero_at`", "{ q2 = 0 }") else { return Vec::new() };
+    let entries = loading.reader.entries(table);
+    loading.coordinate_values(entries)
 }

@@ -6,6 +6,7 @@ use crate::model::Coordinate;
 use crate::model::impossible_bodies::values_of_terms_at;
 use crate::model::reading::declared_names::{NameKind, PARAMETERS};
 use crate::model::reading::loading::Loading;
+use crate::toml_reader::Entry;
 use std::ops::Range;
 use toml::de::DeTable;
 
@@ -20,10 +21,17 @@ pub struct Assembly {
 impl<'a> Loading<'a> {
     /// Reads the section `[assembly]` of a model file. `None` if the file has no such section.
     pub fn assembly(&mut self, table: &'a DeTable<'a>) -> Option<Assembly> {
-        const WHAT: &str = "a coordinate's value";
         let place = self.reader.get(table, "assembly")?.span();
-        let mut values = Vec::new();
-        for (name, value) in self.section(table, "assembly", &[]) {
+        let entries = self.section(table, "assembly", &[]);
+        let values = self.coordinate_values(entries);
+        Some(Assembly { values, place })
+    }
+
+    /// Reads values of coordinates as pairs (coordinate, value). Errors are recorded in the reader.
+    pub fn coordinate_values(&mut self, entries: Vec<Entry<'a>>) -> Vec<(Expr, Expr)> {
+        const WHAT: &str = "a coordinate's value";
+        let mut pairs = Vec::new();
+        for (name, value) in entries {
             if !self.names.expect(&mut self.reader, &name, NameKind::Coordinate) {
                 continue;
             }
@@ -36,9 +44,9 @@ impl<'a> Loading<'a> {
             if self.arena.as_number(e).is_none() {
                 self.quantity(&formula, PARAMETERS, &unit, WHAT);
             }
-            values.push((symbol, e));
+            pairs.push((symbol, e));
         }
-        Some(Assembly { values, place })
+        pairs
     }
 }
 

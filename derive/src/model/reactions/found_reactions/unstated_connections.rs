@@ -21,7 +21,7 @@ enum Slip {
 }
 
 impl Search<'_> {
-    /// Chooses reactions that are still missing after the reactions of the model file's connections were chosen.
+    /// Adds reactions that the stated connections do not give, until the Newton–Euler equations have enough unknowns.
     pub fn choose_unstated_reactions(&mut self) {
         // Points without slip come first. A force at a point where bodies slide is tried last.
         for slip in [Slip::None, Slip::Allowed] {
