@@ -281,12 +281,22 @@ fn check_notes_on_missing_inertia(model: &Model, speed: &str) -> Result<Vec<Stri
     Ok(notes)
 }
 
+/// Largest number of bytes of a formula for the power of the loads in a note.
+const LONGEST_POWER: usize = 1000;
+
 /// Writes a note on the power that changes the total energy T + V. `None` if T + V is constant.
 fn check_note_on_power(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
     if model.is_driven() {
         return Some("constraints drive the mechanism: T + V changes by the work of their forces".to_owned());
     }
-    (power != Expr::ZERO).then(|| format!("T + V changes at the rate {}", print_text(arena, power)))
+    if power == Expr::ZERO {
+        return None;
+    }
+    let formula = print_text(arena, power);
+    if formula.len() > LONGEST_POWER {
+        return Some("T + V changes at the power of the loads, a formula too long for a note".to_owned());
+    }
+    Some(format!("T + V changes at the rate {formula}"))
 }
 
 /// Function of the coordinates that a motion constraint keeps constant, as the text of a formula.

@@ -72,7 +72,7 @@ impl FigureKind {
     /// All kinds of figures, in the order in which they are listed to users.
     pub const ALL: [Self; 5] = [Self::Energy, Self::States, Self::WorkPrecision, Self::Passages, Self::Conditioning];
 
-    /// Name of the kind in scene files.
+    /// Name of this kind of figure in scene files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

@@ -72,7 +72,8 @@ pub fn edited_workspace_model_warning(model: &Mechanism) -> Option<String> {
     })
 }
 
-/// True if the model file is the workspace file from which the compiled model `name` was derived.
+/// True if the model file is `models/NAME/model.toml` of the workspace, from which the compiled model `name` was
+/// derived.
 fn is_workspace_model_file(model: &Model, name: &str) -> bool {
     let path = &model.source.path;
     let folder = path.canonicalize().ok().and_then(|path| path.parent().map(Path::to_owned));

@@ -133,7 +133,7 @@ struct SeriesBuilder<'a> {
     depths: Vec<usize>,
     /// State or step whose value is being converted.
     current: Expr,
-    /// Values of the steps that are constant in time.
+    /// Replacement of each step that is constant in time by its value.
     constants: Substitution,
 }
 

@@ -133,7 +133,7 @@ pub(crate) struct BetweenCorners<'a, R, S> {
     /// Intervals of time in which the right-hand side is smooth: between neighbouring jumps, and between neighbouring
     /// corners of any kind.
     sides: IntervalsBetweenCorners,
-    /// Copy of a state, with its time component moved into the interval.
+    /// Copy of a state, with its time moved into the interval between two corners.
     state: Vec<S>,
     /// Working space for values that are computed inside the interval only for their derivatives.
     beside: Vec<S>,

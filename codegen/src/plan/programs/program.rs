@@ -343,7 +343,7 @@ impl ProgramBuilder<'_> {
         (!is_sum_free_formula(value)).then(|| self.variables.write_shared_names(&print_text(self.arena, e)))
     }
 
-    /// Records the variable `name` for the symbol of a shared operation.
+    /// Records that the variable `name` of the generated code holds the value of the symbol `symbol`.
     fn record_variable(&mut self, symbol: Expr, name: &str) {
         self.variables.insert(self.arena, symbol, name);
         self.shared.insert(symbol, name.to_owned());

@@ -9,7 +9,7 @@ use rustc_hash::FxHashSet;
 
 /// Printed formula with its abbreviations, in an arena of its own.
 pub struct PrintedFormula {
-    /// Store of the terms of the formula and of its changes.
+    /// Store of the terms of the printed formula and of the changed formulas that are tried.
     pub arena: Arena,
     /// Formula as printed, in which abbreviations are symbols.
     pub root: Expr,

@@ -13,6 +13,7 @@ use tripos_derive::Formulation;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::term::steps::{Definition, needed_steps};
 use tripos_derive::algebra::value::tape::Tape;
+use tripos_derive::diagnostic::shortened_for_message;
 use tripos_derive::mechanics::Kinematics;
 use tripos_derive::model::{ForcePlace, Reaction, ReactionKind};
 use tripos_derive::scene::Scene;
@@ -232,7 +233,15 @@ fn force_arrow_equations(mechanism: &Mechanism, scene: &Scene) -> Result<Code, S
         return Err("the forces of closed contacts are not part of the equations".to_owned());
     }
     let balance = runnable_code(mechanism, &Formulation::NewtonEuler.into(), None, CodePreparation::AsDerived);
-    balance.map_err(|error| format!("the Newton–Euler equations do not determine these forces: {error}"))
+    // The whole reason, with all components that are missing, is an answer of `prove`.
+    balance.map_err(|error| {
+        let reason = error.to_string();
+        let reason = reason.trim_start_matches("error: ");
+        let reason = shortened_for_message(reason.lines().next().unwrap_or_default());
+        format!(
+            "the Newton–Euler equations do not determine these forces: {reason} `tripos prove` gives the whole reason"
+        )
+    })
 }
 
 /// Joins the components of each reaction force, which act at the same place in the same frame. Returns for

@@ -27,7 +27,7 @@ type Angle = BTreeMap<Expr, i64>;
 struct Wave {
     /// Function of the wave: sine or cosine.
     kind: Kind,
-    /// Angle of the wave, in the unknowns.
+    /// Argument of the sine or cosine, as an angle in the unknowns.
     angle: Angle,
 }
 

@@ -42,7 +42,7 @@ pub struct RecordedCrossing {
     contact_change: Option<ContactChange>,
     /// State (q, v) before the change.
     pub before: Vec<f64>,
-    /// Contacts that were held closed before the change.
+    /// Contacts that were held closed before the last change of the contacts.
     kept: HeldContacts,
     /// State, impact and held contacts after the change.
     after: StateAfterImpact,
