@@ -537,8 +537,12 @@ fn hostile_models_stay_names_and_comments() {
         let named = [&RegressorFunctions::FUNCTIONS[..], &["accelerations", "outputs", "reactions"]].concat();
         let named: Vec<String> = named.into_iter().map(str::to_owned).collect();
         let functions: &[String] = if seed % 3 == 0 { &named } else { &[] };
-        let selection =
-            Selection { formulations: &[Formulation::Kane, Formulation::NewtonEuler], functions, scene: Some(&scene) };
+        let selection = Selection {
+            formulations: &[Formulation::Kane, Formulation::NewtonEuler],
+            functions,
+            scene: Some(&scene),
+            in_base_parameters: false,
+        };
         let dialects: [&dyn Dialect; 4] = [&C, &Python, &CasADi, &Matlab];
         for dialect in dialects {
             let emitted = emit_language_modules(&model, dialect, selection).unwrap();

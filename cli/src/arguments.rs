@@ -263,6 +263,10 @@ pub enum Command {
         /// given, but a regressor only if named
         #[arg(long, value_name = "FUNCTIONS", value_delimiter = ',')]
         functions: Vec<String>,
+        /// Write Kane's equations in base parameters, which need fewer operations; the function base_parameters gives
+        /// them once; in C, Python, MATLAB or for CasADi
+        #[arg(long)]
+        base: bool,
         /// Print JSON
         #[arg(long)]
         json: bool,

@@ -192,8 +192,10 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Regenerate { models, check: false, json } => {
             commands::regenerate::regenerate(&models, Output::of_flag(json))
         }
-        Command::Emit { model, out, language, formulations, with, functions, json } => {
-            let request = commands::emit::EmitRequest { model, out, language, formulations, with, functions };
+        Command::Emit { model, out, language, formulations, with, functions, base, json } => {
+            let in_base_parameters = base;
+            let request =
+                commands::emit::EmitRequest { model, out, language, formulations, with, functions, in_base_parameters };
             commands::emit::emit(&request, Output::of_flag(json))
         }
         Command::Fmu { scene, out, fmi, set, only_sources, json } => {

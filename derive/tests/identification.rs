@@ -151,6 +151,7 @@ fn place(inertial: InertialParameter) -> usize {
         InertialParameter::Inertia(i, j) => [[0, 1, 2], [1, 3, 4], [2, 4, 5]][i][j],
         InertialParameter::FirstMoment(i) => 6 + i,
         InertialParameter::Mass => 9,
+        InertialParameter::SecondMoment(_) => unreachable!("the parameters of bodies are moments of inertia"),
     }
 }
 

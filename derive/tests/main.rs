@@ -3,6 +3,7 @@
 mod added_masses;
 #[path = "common/arm.rs"]
 mod arm;
+mod base_equations;
 mod cases;
 mod certificates;
 #[path = "common/chain.rs"]

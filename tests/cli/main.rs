@@ -4,6 +4,7 @@ mod arguments;
 #[path = "../../derive/tests/common/arm.rs"]
 #[allow(dead_code, reason = "its text alone is used")]
 mod arm;
+mod base_parameters;
 mod changed_force;
 mod charts;
 mod checks;

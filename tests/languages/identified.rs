@@ -112,6 +112,58 @@ impl Moved {
         out
     }
 
+    /// Program in a language that prints the forces by the equations in base parameters, M u̇ − f and inverse dynamics.
+    fn base_program(&self, language: &str, stem: &str, parameters: usize) -> String {
+        let list = |values: &[f64]| values.iter().map(|x| format!("{x:?}")).collect::<Vec<_>>();
+        let mut own = list(&self.p);
+        let count = own.len();
+        own.resize(parameters, "0".to_owned());
+        let given = [&own, &list(&self.q), &list(&self.u), &list(&self.a)].map(|values| values.join(", "));
+        let named = || ["p", "q", "u", "a"].into_iter().zip(&given);
+        let n = self.u.len();
+        match language {
+            "c" => {
+                let arrays: Vec<String> =
+                    named().map(|(name, values)| format!("  static double {name}[] = {{ {values} }};\n")).collect();
+                let arrays = arrays.concat();
+                format!(
+                    "#include \"{stem}.h\"\n#include <stdio.h>\nint main(void) {{\n  int i, k;\n{arrays}  \
+                     static double base[{parameters}], m[{0}], f[{n}], tau[{n}];\n  \
+                     {stem}_base_parameters(p, base); for (k = {count}; k < {parameters}; k++) p[k] = base[k - {count}];\n  \
+                     {stem}_mass_matrix(p, q, u, m); {stem}_forcing(p, q, u, f); {stem}_inverse_dynamics(p, q, u, a, tau);\n  \
+                     for (i = 0; i < {n}; i++) {{ double sum = -f[i]; for (k = 0; k < {n}; k++) sum += m[i * {n} + k] * a[k]; \
+                     printf(\"%.17g\\n\", sum); }}\n  for (i = 0; i < {n}; i++) printf(\"%.17g\\n\", tau[i]);\n  return 0;\n}}\n",
+                    n * n
+                )
+            }
+            "matlab" => {
+                let arrays: Vec<String> = named().map(|(name, values)| format!("{name} = [{values}]'; ")).collect();
+                let arrays = arrays.concat();
+                format!(
+                    "{arrays}p({}:end) = {stem}_base_parameters(p); \
+                     printf('%.17g\\n', {stem}_mass_matrix(p, q, u) * a - {stem}_forcing(p, q, u)); \
+                     printf('%.17g\\n', {stem}_inverse_dynamics(p, q, u, a));",
+                    count + 1
+                )
+            }
+            _ => {
+                let wrap = if language == "casadi" { "casadi.DM" } else { "numpy.array" };
+                let arrays = named()
+                    .map(|(name, values)| {
+                        let values = if language == "casadi" { values.clone() } else { format!("{values}, ") };
+                        format!("{name} = {wrap}([{values}])\n")
+                    })
+                    .collect::<Vec<String>>()
+                    .concat();
+                format!(
+                    "import casadi, numpy, {stem} as m\n{arrays}p[{count}:] = m.base_parameters(p)\n\
+                     for forces in (m.mass_matrix(p, q, u) @ a - m.forcing(p, q, u), m.inverse_dynamics(p, q, u, a)):\n    \
+                     print(*(repr(float(x)) for x in numpy.array(forces).reshape(-1)), sep='\\n')\n"
+                )
+            }
+        }
+    }
+
     fn check(&self, printed: &str, times: usize, what: &str) {
         let values: Vec<f64> = printed.split_whitespace().map(|word| word.parse().unwrap()).collect();
         assert_eq!(values.len(), times * self.forces.len(), "{what}: {printed}");
@@ -125,10 +177,18 @@ impl Moved {
 fn write(model: &Model, dialect: &dyn Dialect, folder: &Path) -> Vec<String> {
     let formulations = &[Formulation::Kane];
     let mut functions: Vec<String> = RegressorFunctions::FUNCTIONS.map(str::to_owned).to_vec();
-    let emitted = emit_language_modules(model, dialect, Selection { formulations, functions: &functions, scene: None });
+    let emitted = emit_language_modules(
+        model,
+        dialect,
+        Selection { formulations, functions: &functions, scene: None, in_base_parameters: false },
+    );
     let emitted = emitted.or_else(|_| {
         functions.truncate(3);
-        emit_language_modules(model, dialect, Selection { formulations, functions: &functions, scene: None })
+        emit_language_modules(
+            model,
+            dialect,
+            Selection { formulations, functions: &functions, scene: None, in_base_parameters: false },
+        )
     });
     let emitted = emitted.unwrap_or_else(|error| panic!("{error}"));
     for (name, text) in &emitted.emission.files {
@@ -198,4 +258,82 @@ fn regressors_give_the_forces_that_motion_needs() {
         }
     }
     assert!(count >= QUICK.len() && 2 * with_base >= count, "{with_base} of {count} models have base parameters");
+}
+
+/// Writes the equations of a model in base parameters in a dialect.
+fn write_in_base_parameters(model: &Model, dialect: &dyn Dialect, folder: &Path) -> Option<()> {
+    let selection = Selection { in_base_parameters: true, ..Selection::default() };
+    let emitted = emit_language_modules(model, dialect, selection).ok()?;
+    for (name, text) in &emitted.emission.files {
+        std::fs::write(folder.join(name), text).unwrap();
+    }
+    Some(())
+}
+
+/// Goal: equations in base parameters give the force that a motion needs, in every language. Method: M u̇ − f and the
+/// inverse dynamics of the emitted functions at a random state with random accelerations, against M u̇ − f of the
+/// compiled equations in the parameters of the model to 32 digits.
+#[test]
+fn equations_in_base_parameters_give_the_forces_that_motion_needs() {
+    let has = |program: &str| Command::new(program).arg("--version").output().is_ok_and(|o| o.status.success());
+    let has_python = !sympy::is_left_out("equations in base parameters in Python");
+    let has_gcc = !is_left_out("gcc", has("gcc"), "there is no gcc");
+    let has_octave = !is_left_out("octave", has("octave-cli"), "there is no octave-cli");
+    let all = std::env::var_os("TRIPOS_LANGUAGES").is_some();
+    let python = has_python.then(|| {
+        sympy::python_with(&sympy::root().join("tests/languages/requirements.txt"), "import numpy, casadi, scipy, fmpy")
+    });
+    let mut count = 0;
+    for library in MODELS.iter().filter(|library| all || QUICK.contains(&library.name)) {
+        let Some(kane) = library.systems.iter().find(|system| system.name == "kane") else { continue };
+        let name = library.name;
+        let model = Model::read(&sympy::root().join("models").join(name).join("model.toml")).unwrap();
+        let moved = Moved::random(kane.extended);
+        let folder = tempfile::tempdir().unwrap();
+        let at = folder.path();
+        if write_in_base_parameters(&model, &C, at).is_none() {
+            continue;
+        }
+        count += 1;
+        let stem = format!("{name}_base_kane");
+        let text = std::fs::read_to_string(at.join(format!("{stem}.h"))).unwrap();
+        let parameters = text.split("_PARAMETERS = ").nth(1).unwrap();
+        let parameters: String = parameters.chars().take_while(char::is_ascii_digit).collect();
+        let parameters: usize = parameters.parse().unwrap();
+        let said = |command: &mut Command| {
+            let output = command.output().unwrap();
+            assert!(output.status.success(), "{name}: {output:?}");
+            String::from_utf8_lossy(&output.stdout).into_owned()
+        };
+        if has_gcc {
+            std::fs::write(at.join("main.c"), moved.base_program("c", &stem, parameters)).unwrap();
+            let strict = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-o", "main", "main.c"];
+            run(Command::new("gcc").current_dir(at).args(strict).args([&format!("{stem}.c"), "-lm"]));
+            moved.check(&said(&mut Command::new(at.join("main"))), 2, &format!("{name} in C"));
+        }
+        if let Some(python) = &python {
+            write_in_base_parameters(&model, &Python, at);
+            let program = moved.base_program("python", &stem, parameters);
+            moved.check(
+                &said(Command::new(python).current_dir(at).args(["-c", &program])),
+                2,
+                &format!("{name} in Python"),
+            );
+            write_in_base_parameters(&model, &CasADi, at);
+            let program = moved.base_program("casadi", &format!("{stem}_casadi"), parameters);
+            moved.check(
+                &said(Command::new(python).current_dir(at).args(["-c", &program])),
+                2,
+                &format!("{name} in CasADi"),
+            );
+        }
+        if has_octave {
+            write_in_base_parameters(&model, &Matlab, at);
+            let program = moved.base_program("matlab", &stem, parameters);
+            let mut command = Command::new("octave-cli");
+            let printed = said(command.current_dir(at).args(["--no-init-file", "--eval", &program]));
+            moved.check(&printed, 2, &format!("{name} in MATLAB"));
+        }
+    }
+    assert!(count >= QUICK.len() - 1, "{count} models have equations in base parameters");
 }

@@ -31,7 +31,11 @@ fn write(model: &Model, folder: &Path) -> usize {
     let mut longest = 0;
     for dialect in dialects {
         let emit = |functions: &[String]| {
-            emit_language_modules(model, dialect, Selection { formulations: &[], functions, scene: None })
+            emit_language_modules(
+                model,
+                dialect,
+                Selection { formulations: &[], functions, scene: None, in_base_parameters: false },
+            )
         };
         let mut emitted = emit(&[]).unwrap_or_else(|error| panic!("{error}\n{}", model.source.text));
         if is_tree {

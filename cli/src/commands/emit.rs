@@ -15,8 +15,9 @@ use tripos_codegen::languages::casadi::CasADi;
 use tripos_codegen::languages::matlab::Matlab;
 use tripos_codegen::languages::python::Python;
 use tripos_codegen::languages::{self, Dialect, Selection};
-use tripos_codegen::plan::{MissingOutputReason, ModulePlan};
+use tripos_codegen::plan::{MissingOutputReason, ModulePlan, RegressorFunctions};
 use tripos_derive::diagnostic::{Source, nearest_name_advice};
+use tripos_derive::identify::BaseEquations;
 use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::scene::{Scene, is_scene};
 use tripos_derive::{Formulation, Model};
@@ -38,6 +39,8 @@ pub struct EmitRequest {
     pub with: Vec<String>,
     /// Names of the functions to write; if empty, all functions. Not used for Rust and JavaScript.
     pub functions: Vec<String>,
+    /// True if the equations are written in base parameters. Not used for Rust and JavaScript.
+    pub in_base_parameters: bool,
 }
 
 /// Runs `tripos emit`: writes the equations of a model as code of a language into a folder, and prints the change of
@@ -66,6 +69,9 @@ pub fn emit(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
     if dialect.is_none() && !request.functions.is_empty() {
         let what = "functions can be chosen in C, Python, MATLAB and for CasADi".to_owned();
         return Err(Failure::request(what, "leave `--functions` out, or give one of these languages".to_owned()));
+    }
+    if request.in_base_parameters {
+        check_base_request(request, dialect.is_some(), &formulations)?;
     }
     let is_known = LANGUAGES.contains(&language.as_str());
     if dialect.is_none() && is_known && Source::read(&model_file(model)).is_ok_and(|source| is_scene(&source)) {
@@ -104,6 +110,26 @@ pub fn emit(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
     print_result(output, &lines.concat(), &value)?;
     print_to_stderr(&then);
     Ok(0)
+}
+
+/// Checks a request for equations in base parameters. `Err` if the language, a formulation or a function has no form in
+/// base parameters.
+fn check_base_request(request: &EmitRequest, has_dialect: bool, formulations: &[Formulation]) -> Result<(), Failure> {
+    if !has_dialect {
+        let what = "equations in base parameters are written in C, Python, MATLAB and for CasADi".to_owned();
+        return Err(Failure::request(what, "leave `--base` out, or give one of these languages".to_owned()));
+    }
+    if let Some(other) = formulations.iter().find(|f| **f != BaseEquations::FORMULATION) {
+        let what = format!("equations in base parameters are those of Kane's method, not of `{}`", other.name());
+        return Err(Failure::request(what, "leave `--formulation` out, or give --formulation kane".to_owned()));
+    }
+    let of_regressor =
+        |name: &&String| RegressorFunctions::FUNCTIONS.contains(&name.as_str()) && *name != "base_parameters";
+    if let Some(name) = request.functions.iter().find(of_regressor) {
+        let what = format!("the function `{name}` belongs to the equations in the parameters of the model");
+        return Err(Failure::request(what, "leave `--base` out".to_owned()));
+    }
+    Ok(())
 }
 
 /// Generates the Rust module of a model. The second result is a sentence about its use. `Err` if the folder has no
@@ -147,7 +173,12 @@ fn emit_in_dialect(
         return Err(Failure::request(what, nearest_name_advice(name, known())));
     }
     let (model, scene) = read_emit_source(&request.model)?;
-    let selection = Selection { formulations, functions: &request.functions, scene: scene.as_ref() };
+    let selection = Selection {
+        formulations,
+        functions: &request.functions,
+        in_base_parameters: request.in_base_parameters,
+        scene: scene.as_ref(),
+    };
     let emitted = languages::emit_language_modules(&model, dialect, selection)?;
     for (name, equations, why) in &emitted.hidden {
         let why = match why {
@@ -155,6 +186,11 @@ fn emit_in_dialect(
             MissingOutputReason::Acceleration => "the function needs an acceleration, which has no closed form here",
         };
         warn(&format!("`{name}` is left out of the functions of {equations}: {why}"));
+    }
+    if let Some([base, plain]) = emitted.operations_in_base_parameters.filter(|[base, plain]| base > plain) {
+        warn(&format!(
+            "the mass matrix and the forcing take {base} operations in base parameters, and {plain} in the parameters of the model"
+        ));
     }
     let file = &emitted.main_file;
     let stem = Path::new(file).file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();

@@ -11,11 +11,13 @@ use crate::plan::{
 use crate::target::{self, Target};
 use std::collections::BTreeMap;
 use tripos_derive::algebra::form::simplify::Simplifier;
+use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
+use tripos_derive::identify::{BaseEquations, NoBaseEquations};
 use tripos_derive::mechanics::{Derivation, DeriveError, SolvedAccelerations, Unsolved, parameter_jacobian};
 use tripos_derive::scene::Scene;
-use tripos_derive::{Equations, Formulation, Model};
+use tripos_derive::{Equations, Formulation, Model, derive};
 
 /// Choice of the equations and functions that modules contain.
 #[derive(Clone, Copy, Default)]
@@ -25,6 +27,8 @@ pub struct Selection<'a> {
     pub formulations: &'a [Formulation],
     /// Names of the functions to write. An empty list means all functions.
     pub functions: &'a [String],
+    /// True if the equations are written in base parameters, by Kane's method alone.
+    pub in_base_parameters: bool,
     /// Scene with which the model was read; `None` if only a model is given. The scene's outputs and events become
     /// functions, and scripts run the scene.
     pub scene: Option<&'a Scene>,
@@ -40,6 +44,9 @@ pub struct LanguageEmission {
     pub functions: Vec<&'static str>,
     /// Outputs, events and conditions that no function gives, each as (name, title of the equations, reason).
     pub hidden: Vec<(String, String, MissingOutputReason)>,
+    /// Operations of mass matrix and forcing together, in base parameters and in the parameters of the model. `None`
+    /// unless the equations were written in base parameters.
+    pub operations_in_base_parameters: Option<[usize; 2]>,
 }
 
 /// Writes the modules of a model in one language.
@@ -58,18 +65,28 @@ pub fn emit_language_modules(
             .scene
             .map_or_else(|| SceneRun::first_scene_run(model), |scene| SceneRun::plain_scene_run(scene, model))
     };
+    let mut model_word = module_identifier_word(model_name_of_origin(&origin)).to_ascii_lowercase();
+    if selection.in_base_parameters {
+        model_word.push_str("_base");
+    }
     let mut modules = LanguageTarget {
         dialect,
-        model_word: module_identifier_word(model_name_of_origin(&origin)).to_ascii_lowercase(),
+        model_word,
         selection,
-        run: if selection.functions.is_empty() { run() } else { None },
+        run: if selection.functions.is_empty() && !selection.in_base_parameters { run() } else { None },
         files: dialect.shared_files(&origin.shared_file_origin_sentence()).into_iter().collect(),
         written: Vec::new(),
         hidden: Vec::new(),
         main_file: None,
         origin,
     };
-    let left_out = target::pass_equations_to_target(model, selection.formulations, &mut modules)?;
+    let mut operations_in_base_parameters = None;
+    let left_out = if selection.in_base_parameters {
+        operations_in_base_parameters = Some(modules.write_base_equations(model)?);
+        Vec::new()
+    } else {
+        target::pass_equations_to_target(model, selection.formulations, &mut modules)?
+    };
     if let Some(name) = selection.functions.iter().find(|name| !modules.written.contains(&name.as_str())) {
         let message = format!("the equations of this model have no function `{name}`");
         let help = missing_function_help(name, model, dialect, selection)?;
@@ -78,7 +95,8 @@ pub fn emit_language_modules(
     let emission =
         Emission { files: modules.files, left_out, command: dialect.command(), extensions: dialect.extensions() };
     let main_file = modules.main_file.unwrap_or_default();
-    Ok(LanguageEmission { emission, main_file, functions: modules.written, hidden: modules.hidden })
+    let LanguageTarget { written: functions, hidden, .. } = modules;
+    Ok(LanguageEmission { emission, main_file, functions, hidden, operations_in_base_parameters })
 }
 
 /// Returns the help text for a requested function that no module of the model has. It states a way to get the
@@ -137,6 +155,42 @@ impl Target for LanguageTarget<'_> {
     }
 
     fn write_derived_equations(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics> {
+        self.write_equations(model, derivation, &[])
+    }
+
+    fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations) {
+        let origin = self.origin.publication_origin_sentence();
+        let planner = Planner::new(model, arena, equations, self.dialect.language(), Sharing::AsStated);
+        self.add(&planner, ModulePlan::new(&planner, None), &origin);
+    }
+}
+
+impl LanguageTarget<'_> {
+    /// Writes Kane's equations of the model in base parameters. Returns the operations of mass matrix and forcing
+    /// together, in base parameters and in the parameters of the model. `Err` if the equations cannot be derived.
+    fn write_base_equations(&mut self, model: &Model) -> Result<[usize; 2], Diagnostics> {
+        let base = BaseEquations::new(model).map_err(|why| no_base_equations(model, &why))?;
+        let plain = derive(model, BaseEquations::FORMULATION).map_err(|error| model.diagnose(&error))?;
+        let language = self.dialect.language();
+        let operations = [(&base.model, base.derivation.clone()), (model, plain)].map(|(model, derivation)| {
+            let Derivation { mut arena, equations } = derivation;
+            let equations = equations.with_definitions(&mut arena);
+            let planner = Planner::new(model, &arena, &equations, language, Sharing::Shared);
+            let functions = ModulePlan::new(&planner, None).functions;
+            let system = functions.iter().filter(|function| ["mass_matrix", "forcing"].contains(&function.name));
+            system.map(|function| function.cost.operations).sum()
+        });
+        self.write_equations(&base.model, base.derivation, &base.base_parameters)?;
+        Ok(operations)
+    }
+
+    /// Writes a set of derived equations. `base_parameters` are the parameters that follow from the other parameters.
+    fn write_equations(
+        &mut self,
+        model: &Model,
+        derivation: Derivation,
+        base_parameters: &[Definition],
+    ) -> Result<(), Diagnostics> {
         let Derivation { mut arena, equations } = derivation;
         let equations = equations.with_definitions(&mut arena);
         let parameters = self.wants("parameter_jacobian").then(|| model.p());
@@ -149,7 +203,8 @@ impl Target for LanguageTarget<'_> {
         let equations = equations
             .with_certified_inverse_dynamics(&mut arena)
             .map_err(|why| model.diagnose(&DeriveError::Unsolved(why.into())))?;
-        let wants_regressor = RegressorFunctions::FUNCTIONS.iter().any(|name| self.names(name));
+        let wants_regressor =
+            base_parameters.is_empty() && RegressorFunctions::FUNCTIONS.iter().any(|name| self.names(name));
         // The required forces act along the generalized speeds, and no reaction is among the unknowns, as in inverse
         // dynamics.
         let is_in_speeds = !equations.required.is_empty()
@@ -166,6 +221,7 @@ impl Target for LanguageTarget<'_> {
         if let Some(regression) = &regression {
             plan.add_regressor(&planner, regression, language);
         }
+        plan.add_base_parameters(&planner, base_parameters);
         let title = equations.title(model);
         if self.wants("conditions") {
             self.hidden
@@ -180,14 +236,6 @@ impl Target for LanguageTarget<'_> {
         Ok(())
     }
 
-    fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations) {
-        let origin = self.origin.publication_origin_sentence();
-        let planner = Planner::new(model, arena, equations, self.dialect.language(), Sharing::AsStated);
-        self.add(&planner, ModulePlan::new(&planner, None), &origin);
-    }
-}
-
-impl LanguageTarget<'_> {
     /// True if the function of this name is to be written: either all functions are, or the name is requested.
     fn wants(&self, name: &str) -> bool {
         self.selection.functions.is_empty() || self.names(name)
@@ -228,6 +276,19 @@ impl LanguageTarget<'_> {
         self.files.extend(script.and_then(|run| self.dialect.script(&module, run)));
         self.main_file.get_or_insert_with(|| self.dialect.main_file(&self.model_word, &module_name(&name)));
     }
+}
+
+/// Returns the diagnostics of a model that has no equations in base parameters.
+fn no_base_equations(model: &Model, why: &NoBaseEquations) -> Diagnostics {
+    let message = match why {
+        NoBaseEquations::Derivation(error) => return model.diagnose(error),
+        NoBaseEquations::WithoutFormula(name) => {
+            format!("the base parameter {name} of this model contains a factor without a formula")
+        }
+        NoBaseEquations::Unproved => "the base parameters of this model are not proved to be complete".to_owned(),
+    };
+    let help = "`tripos identify` shows the base parameters; without `--base`, the equations are written in the parameters of the model";
+    Diagnostics::new(model.source.clone(), vec![Diagnostic::of_file(message, help)])
 }
 
 /// Solves the equations for the accelerations in closed form, and differentiates the accelerations with respect to

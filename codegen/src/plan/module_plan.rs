@@ -12,6 +12,7 @@ use super::programs::variable_names::Language;
 use super::regressor::RegressorFunctions;
 use super::scene_outputs::SceneOutputs;
 use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::mechanics::{Jacobian, SolvedAccelerations};
 use tripos_derive::model::DomainCondition;
 
@@ -137,6 +138,25 @@ impl ModulePlan {
     pub fn add_regressor(&mut self, planner: &Planner<'_>, regression: &RegressorFunctions, language: &Language) {
         self.functions.extend(regression.functions(planner.model, language));
         self.list(regression.names());
+    }
+
+    /// Adds the function `base_parameters`, if the equations contain parameters that follow from the other parameters.
+    pub fn add_base_parameters(&mut self, planner: &Planner<'_>, base_parameters: &[Definition]) {
+        if base_parameters.is_empty() {
+            return;
+        }
+        let name = |symbol: Expr| planner.arena.symbol_name(symbol).unwrap_or_default().to_owned();
+        let values =
+            base_parameters.iter().map(|base| (format!("{}_value", name(base.symbol)), name(base.symbol), base.value));
+        let values: Vec<Value> = values.collect();
+        let about =
+            "Base parameters from the parameters of the model: the last entries of p, which all other functions read.";
+        let function = planner.plan_function("base_parameters", about, Arguments::Parameters, Returns::Vector, &values);
+        self.functions.push(function);
+        self.facts.push(format!(
+            "The last {} parameters are base parameters. The function `base_parameters` computes them from the parameters before them.",
+            base_parameters.len()
+        ));
     }
 
     /// Adds titled lists of names of results, except empty lists.

@@ -14,12 +14,14 @@
 //! set of inertial parameters of serial robots", ibid. 368–373; W. Khalil & E. Dombre, *Modeling,
 //! Identification and Control of Robots* (2002), § 9.4.
 
+mod base_equations;
 mod column_relations;
 mod completeness_proof;
 mod factor_formula;
 mod known_parameters;
 mod loop_relations;
 
+pub use base_equations::{BaseEquations, NoBaseEquations};
 pub use loop_relations::LoopSample;
 
 use crate::algebra::Expr;
@@ -97,7 +99,12 @@ impl Identification {
     /// # Errors
     /// [`DeriveError`] if the model cannot be derived, or if a body has an added mass.
     pub fn new(model: &Model, varied: RegressorParameters) -> Result<Self, DeriveError> {
-        let mut regressor = Regressor::new(model, varied)?;
+        Ok(Self::of_regressor(model, Regressor::new(model, varied)?))
+    }
+
+    /// Finds the base parameters of the parameters for which a regressor of the model has columns.
+    #[must_use]
+    pub fn of_regressor(model: &Model, mut regressor: Regressor) -> Self {
         let letters = KnownParameters::of(model, &mut regressor.arena, &regressor.columns);
         let arena = regressor.arena.clone();
         let mut found = Self {
@@ -112,7 +119,7 @@ impl Identification {
             regressor,
         };
         let Some(mut table) = ColumnRelations::new(&arena, &found.regressor.columns, &letters) else {
-            return Ok(found);
+            return found;
         };
         let Regressor { arena, columns, .. } = &mut found.regressor;
         let made = factor_formula::factor_formulas(&mut table, arena, &letters, columns);
@@ -126,7 +133,7 @@ impl Identification {
         found.before_loops.clone_from(&found.base);
         found.on_loops =
             if found.has_loops { loop_relations::group_by_loop_relations(model, &mut found) } else { None };
-        Ok(found)
+        found
     }
 
     /// Creates a base parameter for each pivot column, and adds the dependent columns with their

@@ -2,15 +2,19 @@
 //!
 //! Kane & Levinson, *Dynamics: Theory and Applications* (1985), §§ 4.4, 4.11, 6.1.
 
+use super::tree_recursion::{FORCE, symmetric_derivative_matrix};
 use crate::algebra::Expr;
-use crate::algebra::term::calculus::{Differential, Gradient};
+use crate::algebra::term::adjoint::adjoint_product;
+use crate::algebra::term::calculus::{Differential, Gradient, expand_names};
 use crate::geometry::{Dots, SymmetricDots, Vector};
 use crate::mechanics::derive_error::DeriveError;
 use crate::mechanics::motion::energy::VelocityMomentum;
 use crate::mechanics::motion::kinematics::{
-    Kinematics, Velocities, kinematic_rates, kinematic_rates_without_acceleration,
+    Kinematics, Velocities, kinematic_rates, kinematic_rates_without_acceleration, rates_to_speeds,
 };
 use crate::mechanics::motion::loads::{Load, active_forces_of_loads};
+use crate::mechanics::motion::placed_inertia::PlacedInertia;
+use crate::mechanics::motion::tree_accelerations::AlphaTerms;
 use crate::mechanics::quantity::{QuantityKind, VectorName};
 use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
 use crate::model::Model;
@@ -79,6 +83,64 @@ impl Kinematics {
             None => self.kinetic_energy_matrix(model, velocities, &model.u()),
         };
         (matrix, forcing)
+    }
+}
+
+/// Kane's equations of bodies whose inertias are given about points that are fixed in the bodies.
+pub(in crate::mechanics) struct KaneSystem {
+    /// Symmetric mass matrix M, one row and one column for each speed.
+    pub matrix: Vec<Vec<Expr>>,
+    /// Forcing f of M u̇ = f, one entry for each speed.
+    pub forcing: Vec<Expr>,
+    /// Inverse dynamics M u̇ − f, one entry for each speed.
+    pub required: Vec<Expr>,
+}
+
+impl Kinematics {
+    /// Kane's equations by recursion along the tree, for bodies with the given inertias instead of the model's. The
+    /// kinematics must have named subterms.
+    pub(in crate::mechanics) fn kane_system_of(&mut self, model: &Model, bodies: &[PlacedInertia]) -> KaneSystem {
+        let velocities = self.in_speeds(model);
+        let loads: Vec<Load> = self.loads(model, &velocities).into_iter().flatten().collect();
+        let required = self.required_forces_of(model, &velocities, &loads, bodies, &mut kinematic_rates(model));
+        let mut resting = kinematic_rates_without_acceleration(model);
+        let bias = self.required_forces_of(model, &velocities, &loads, bodies, &mut resting);
+        let matrix = self.composite_mass_matrix_of(bodies, model, &velocities, &model.u()).unwrap_or_else(|| {
+            let rates: Vec<Expr> = model.speeds.iter().map(|speed| speed.rate).collect();
+            symmetric_derivative_matrix(&mut self.arena, &required, &rates)
+        });
+        let forcing = bias.into_iter().map(|e| self.arena.neg(e)).collect();
+        KaneSystem { matrix, forcing, required }
+    }
+
+    /// Generalized forces that bodies with the given inertias require, less the loads, one for each speed. They hold in
+    /// a motion in which the state has the given `rates`.
+    fn required_forces_of(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        loads: &[Load],
+        bodies: &[PlacedInertia],
+        rates: &mut Differential,
+    ) -> Vec<Expr> {
+        let fall = Self::fall(model);
+        let accelerations = self.accelerations(model, velocities, rates, &fall, AlphaTerms::InMatrix);
+        let mut pairs = Vec::new();
+        for body in bodies {
+            pairs.extend(body.inertia_pairs(self, model, velocities, &accelerations));
+        }
+        let of_loads = self.forces_of_load_pairs(loads, &mut rates_to_speeds(model), &model.u());
+        // Torques between neighbours act along one speed each, and need no sums along the tree.
+        let are_short = of_loads.iter().all(|e| expand_names(&mut self.arena, *e) == *e);
+        if !are_short {
+            pairs.extend(self.load_pairs(loads, &mut rates_to_speeds(model)));
+        }
+        let forces = adjoint_product(&mut self.arena, &pairs, &model.u(), FORCE);
+        let sum = |(force, load): (Expr, Expr)| {
+            let whole = if are_short { self.arena.add(force, load) } else { force };
+            self.arena.neg(whole)
+        };
+        forces.into_iter().zip(of_loads).map(sum).collect()
     }
 }
 

@@ -12,10 +12,11 @@
 
 use super::frame_transport::{name_transported_components, rotate_and_name_components};
 use super::kinematics::{Kinematics, Velocities};
+use super::placed_inertia::PlacedInertia;
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::geometry::{Components, Placement, Turn, TurnSense, cross_components, transposed};
-use crate::model::{Body, Model};
+use crate::model::Model;
 
 /// Components of the zero vector.
 const NOTHING: Components = [Expr::ZERO; 3];
@@ -94,7 +95,20 @@ impl Kinematics {
         velocities: &Velocities,
         variables: &[Expr],
     ) -> Option<Vec<Vec<Expr>>> {
-        let mut tree = CompositeTree::new(self, model, velocities)?;
+        let bodies: Option<Vec<PlacedInertia>> = model.bodies.iter().map(PlacedInertia::about_centre).collect();
+        self.composite_mass_matrix_of(&bodies?, model, velocities, variables)
+    }
+
+    /// Mass matrix of bodies with the given inertias, with a row for each motion variable. `None` if the points to a
+    /// body's reference point do not follow the chain of its frames.
+    pub(in crate::mechanics) fn composite_mass_matrix_of(
+        &mut self,
+        bodies: &[PlacedInertia],
+        model: &Model,
+        velocities: &Velocities,
+        variables: &[Expr],
+    ) -> Option<Vec<Vec<Expr>>> {
+        let mut tree = CompositeTree::new(self, bodies, model, velocities)?;
         let composites = tree.composites(&mut self.arena, model);
         let motions = tree.motions();
         let mut gradient = Gradient::new(variables);
@@ -134,51 +148,50 @@ impl Kinematics {
 }
 
 impl CompositeTree {
-    /// Builds the tree of all bodies. `None` if the points to a body's mass centre do not follow the chain of its
+    /// Builds the tree of all bodies. `None` if the points to a body's reference point do not follow the chain of its
     /// frames.
-    fn new(kinematics: &mut Kinematics, model: &Model, velocities: &Velocities) -> Option<Self> {
+    fn new(
+        kinematics: &mut Kinematics,
+        bodies: &[PlacedInertia],
+        model: &Model,
+        velocities: &Velocities,
+    ) -> Option<Self> {
         let root = Node::new(0, Edge::Shift { by: NOTHING }, 0, NOTHING);
         let mut tree = Self { nodes: vec![root] };
-        for body in &model.bodies {
+        for body in bodies {
             let at = tree.add_path_of_body(kinematics, model, velocities, body)?;
             let node = &mut tree.nodes[at];
             node.mass.push(body.mass);
-            if let Some((_, inertia)) = &body.rigid {
-                for i in 0..3 {
-                    for j in i..3 {
-                        node.inertia[composite_inertia_index(i, j)].push(inertia.tensor[i][j]);
-                    }
+            for i in 0..3 {
+                node.moment[i].push(body.moment[i]);
+                for j in i..3 {
+                    node.inertia[composite_inertia_index(i, j)].push(body.tensor[i][j]);
                 }
             }
         }
         Some(tree)
     }
 
-    /// Adds the path of a body to the tree. Returns the index of the node at the body's mass centre, in
-    /// the body's frame. `None` if the points up to the mass centre do not follow the chain of the
-    /// body's frames.
+    /// Adds the path of a body to the tree. Returns the index of the node at the body's reference point, in the frame
+    /// of its inertia. `None` if the points up to the reference point do not follow the chain of the body's frames.
     fn add_path_of_body(
         &mut self,
         kinematics: &mut Kinematics,
         model: &Model,
         velocities: &Velocities,
-        body: &Body,
+        body: &PlacedInertia,
     ) -> Option<usize> {
         let mut steps = Vec::new();
-        let mut point = body.centre;
+        let mut point = body.point;
         while let Some(Placement { parent: before, frame, components }) = model.points[point].position {
             steps.push((frame, components, point));
             point = before;
         }
         steps.reverse();
         let frames = &kinematics.frames;
-        let own = match &body.rigid {
-            Some((own, inertia)) if *own == inertia.frame => *own,
-            Some(_) => return None,
-            None => {
-                steps.iter().map(|(frame, ..)| *frame).max_by_key(|frame| frames.ancestors(*frame).len()).unwrap_or(0)
-            }
-        };
+        let own = body.frame.unwrap_or_else(|| {
+            steps.iter().map(|(frame, ..)| *frame).max_by_key(|frame| frames.ancestors(*frame).len()).unwrap_or(0)
+        });
         let path = frames.ancestors(own);
         if !steps.iter().all(|(frame, ..)| path.contains(frame)) {
             return None;

@@ -53,7 +53,8 @@ impl Anchor {
     /// Inertial parameters of the body, those first that base parameters should keep. The first are those that a
     /// revolute joint leaves identifiable, grouped as by Khalil and Dombre. Then come the first moment along the
     /// axis, one inertia and the mass. A particle has only its mass.
-    pub(in crate::mechanics) fn parameters(&self) -> Vec<InertialParameter> {
+    #[must_use]
+    pub fn parameters(&self) -> Vec<InertialParameter> {
         if self.turns.is_none() {
             return vec![InertialParameter::Mass];
         }
@@ -69,6 +70,29 @@ impl Anchor {
             InertialParameter::FirstMoment(j),
             InertialParameter::FirstMoment(k),
             InertialParameter::Inertia(j, j),
+            InertialParameter::Mass,
+        ]
+    }
+
+    /// Inertial parameters of the body with second moments instead of moments of inertia, those first that base
+    /// parameters should keep. A revolute joint leaves the second moments across its axis identifiable.
+    #[must_use]
+    pub fn parameters_with_second_moments(&self) -> Vec<InertialParameter> {
+        if self.turns.is_none() {
+            return vec![InertialParameter::Mass];
+        }
+        let k = self.axis;
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        vec![
+            InertialParameter::SecondMoment(i),
+            InertialParameter::SecondMoment(j),
+            InertialParameter::Inertia(i, j),
+            InertialParameter::Inertia(i, k),
+            InertialParameter::Inertia(j, k),
+            InertialParameter::FirstMoment(i),
+            InertialParameter::FirstMoment(j),
+            InertialParameter::FirstMoment(k),
+            InertialParameter::SecondMoment(k),
             InertialParameter::Mass,
         ]
     }

@@ -1,5 +1,5 @@
-//! Inertial parameters of a body: mass, first moments and inertia. The kinetic energy and the weight of the body are
-//! linear in them.
+//! Inertial parameters of a body: mass, first moments, and inertia or second moments. The kinetic energy and the weight
+//! of the body are linear in them.
 
 use crate::model::Unit;
 
@@ -15,6 +15,9 @@ pub enum InertialParameter {
     /// Entry (row, column) of the inertia tensor about the reference point, kg m². Off the diagonal it has the sign
     /// of the tensor, −∫ x y dm.
     Inertia(usize, usize),
+    /// Second moment ∫ x² dm along axis 0, 1 or 2, kg m², where x is the component of the vector from the reference
+    /// point. The moment of inertia about an axis is the sum of the second moments along the other two axes.
+    SecondMoment(usize),
 }
 
 impl InertialParameter {
@@ -26,6 +29,7 @@ impl InertialParameter {
             Self::Mass => "m".to_owned(),
             Self::FirstMoment(i) => format!("m{}", axis(i)),
             Self::Inertia(i, j) => format!("I{}{}", axis(i.min(j)), axis(i.max(j))),
+            Self::SecondMoment(i) => format!("S{}{}", axis(i), axis(i)),
         }
     }
 
@@ -35,7 +39,7 @@ impl InertialParameter {
         let lengths = match self {
             Self::Mass => 0,
             Self::FirstMoment(_) => 1,
-            Self::Inertia(..) => 2,
+            Self::Inertia(..) | Self::SecondMoment(_) => 2,
         };
         Unit::new(lengths, 1, 0)
     }

@@ -8,5 +8,6 @@ pub(super) mod inertial_anchor;
 pub(super) mod inertial_parameter;
 pub(super) mod kinematics;
 pub(super) mod loads;
+pub(super) mod placed_inertia;
 pub(super) mod potential;
 pub(super) mod tree_accelerations;

@@ -124,13 +124,11 @@ impl Kinematics {
         linear
     }
 
-    /// Named matrix α× + ω×ω× of a frame, s⁻². Multiplied by the position vector of a point that is fixed in the
-    /// frame, it gives the point's relative acceleration.
-    fn relative_acceleration_matrix(
+    /// Named products ω_i ω_j of the components of a frame's angular velocity, s⁻², as a symmetric matrix.
+    pub(in crate::mechanics) fn named_angular_velocity_products(
         &mut self,
         model: &Model,
         frame: usize,
-        alpha: &Components,
         omega: &Components,
     ) -> [Components; 3] {
         let name = &model.frames[frame].name;
@@ -140,7 +138,21 @@ impl Kinematics {
             let product = arena.mul(omega[i], omega[j]);
             arena.name(product, &format!("w_{name}_{}{}", i + 1, j + 1))
         };
-        let squares: [Components; 3] = std::array::from_fn(|i| std::array::from_fn(|j| product(i, j)));
+        std::array::from_fn(|i| std::array::from_fn(|j| product(i, j)))
+    }
+
+    /// Named matrix α× + ω×ω× of a frame, s⁻². Multiplied by the position vector of a point that is fixed in the
+    /// frame, it gives the point's relative acceleration.
+    pub(in crate::mechanics) fn relative_acceleration_matrix(
+        &mut self,
+        model: &Model,
+        frame: usize,
+        alpha: &Components,
+        omega: &Components,
+    ) -> [Components; 3] {
+        let squares = self.named_angular_velocity_products(model, frame, omega);
+        let name = &model.frames[frame].name;
+        let arena = &mut self.arena;
         std::array::from_fn(|i| {
             std::array::from_fn(|j| {
                 let entry = if i == j {

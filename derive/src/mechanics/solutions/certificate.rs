@@ -20,6 +20,7 @@ use super::jacobian::Jacobian;
 use crate::algebra::solve::elimination::Elimination;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::term::steps::{Definition, fresh_symbol, substitute_steps};
+use crate::algebra::text::definitions::write_definitions;
 use crate::algebra::value::field::Field;
 use crate::algebra::value::tangent::{TangentValue, Tangents};
 use crate::algebra::{Arena, Expr};
@@ -375,6 +376,35 @@ pub fn certify_slopes(
         let is_wrong = |(rate, product): (&TangentValue, &TangentValue)| rate.slope != product.value;
         if let Some(row) = rates.iter().zip(products).position(is_wrong) {
             return Err(Unproved::Jacobian(row));
+        }
+        primes.push(field.prime);
+    }
+    Ok(Certificate { primes })
+}
+
+/// Proves that two lists of generalized forces are equal if the symbols of `steps` have the values of `steps`.
+///
+/// # Errors
+/// Returns [`Unproved::InverseDynamics`] with the index of the first pair that differs.
+pub fn certify_equal_forces(
+    arena: &Arena,
+    steps: &[Definition],
+    left: &[Expr],
+    right: &[Expr],
+) -> Result<Certificate, Unproved> {
+    let mut arena = arena.clone();
+    let mut put = Substitution::default();
+    let (definitions, written) = write_definitions(&mut arena, &[], &[left, right].concat());
+    substitute_steps(&mut arena, &mut put, steps);
+    substitute_steps(&mut arena, &mut put, &definitions);
+    let terms = put.all(&mut arena, &written);
+    let mut tangents = Tangents::new(&arena, &terms, &[]);
+    let mut primes = Vec::with_capacity(POINTS);
+    for _ in 0..POINTS {
+        let (field, values) = tangents.next().ok_or(Unproved::NoPoint)?;
+        let (left, right) = values.split_at(left.len());
+        if let Some(row) = left.iter().zip(right).position(|(left, right)| left.value != right.value) {
+            return Err(Unproved::InverseDynamics(row));
         }
         primes.push(field.prime);
     }

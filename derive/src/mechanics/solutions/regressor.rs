@@ -13,7 +13,7 @@
 //! Int. J. Robotics Research 5(3) (1986) 101–119. The columns use nothing from Kane's equations, with which the
 //! regressor is compared.
 
-use crate::algebra::term::calculus::{Gradient, Substitution, expand_names};
+use crate::algebra::term::calculus::Gradient;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Vector, apply_tensor, cross_components};
@@ -25,8 +25,9 @@ use crate::mechanics::motion::inertial_anchor::Anchor;
 use crate::mechanics::motion::inertial_parameter::InertialParameter;
 use crate::mechanics::motion::kinematics::{Kinematics, Velocities, kinematic_rates, rates_to_speeds};
 use crate::mechanics::motion::loads::Load;
+use crate::mechanics::motion::placed_inertia::PlacedInertia;
 use crate::mechanics::motion::tree_accelerations::{Accelerations, AlphaTerms};
-use crate::model::{Body, Model, Unit};
+use crate::model::{Model, Unit};
 
 /// Choice of the parameters for which a regressor has columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,6 +88,36 @@ impl Regressor {
     /// # Errors
     /// Returns a [`DeriveError`] if the model cannot be derived, or if a body has an added mass.
     pub fn new(model: &Model, varied: RegressorParameters) -> Result<Self, DeriveError> {
+        let (kinematics, required) = Self::required_by_kane(model)?;
+        let candidates: Vec<usize> =
+            (0..model.parameters.len()).filter(|at| is_regressor_candidate(&model.parameters[*at])).collect();
+        Ok(match varied {
+            RegressorParameters::Bodies => {
+                Self::regressor_of_bodies(model, kinematics, required, &Anchor::parameters, &candidates)
+            }
+            RegressorParameters::Declared => {
+                Self::regressor_of_declared_parameters(model, kinematics.arena, required, candidates)
+            }
+        })
+    }
+
+    /// Derives the regressor for inertial parameters of the bodies alone. Parameters of loads count as known. The
+    /// function `parameters` gives the ten parameters of the body of an anchor, those first that base parameters should
+    /// keep.
+    ///
+    /// # Errors
+    /// Returns a [`DeriveError`], for the same reasons as [`Self::new`].
+    pub fn of_bodies(
+        model: &Model,
+        parameters: &dyn Fn(&Anchor) -> Vec<InertialParameter>,
+    ) -> Result<Self, DeriveError> {
+        let (kinematics, required) = Self::required_by_kane(model)?;
+        Ok(Self::regressor_of_bodies(model, kinematics, required, parameters, &[]))
+    }
+
+    /// Derives the required generalized forces M u̇ − f by Kane's method, with the kinematics. `Err` if the model cannot
+    /// be derived, or if a body has an added mass.
+    fn required_by_kane(model: &Model) -> Result<(Kinematics, Vec<Expr>), DeriveError> {
         if let Some(added) = model.added_masses.first() {
             return Err(DeriveError::AddedMass { body: model.bodies[added.body].name.clone() });
         }
@@ -94,14 +125,7 @@ impl Regressor {
         let equations = derive_with(model, &mut kinematics, Formulation::Kane)?;
         let proved = equations.with_certified_inverse_dynamics(&mut kinematics.arena);
         let required = proved.map_err(|why| DeriveError::Unsolved(why.into()))?.required;
-        let candidates: Vec<usize> =
-            (0..model.parameters.len()).filter(|at| is_regressor_candidate(&model.parameters[*at])).collect();
-        match varied {
-            RegressorParameters::Bodies => Ok(Self::regressor_of_bodies(model, kinematics, required, &candidates)),
-            RegressorParameters::Declared => {
-                Ok(Self::regressor_of_declared_parameters(model, kinematics.arena, required, candidates))
-            }
-        }
+        Ok((kinematics, required))
     }
 
     /// Builds columns for the inertial parameters of all bodies and for the mass-like parameters of
@@ -110,6 +134,7 @@ impl Regressor {
         model: &Model,
         mut kinematics: Kinematics,
         required: Vec<Expr>,
+        parameters: &dyn Fn(&Anchor) -> Vec<InertialParameter>,
         candidates: &[usize],
     ) -> Self {
         let velocities = kinematics.in_speeds(model);
@@ -126,7 +151,7 @@ impl Regressor {
             let anchor = Anchor::of(model, at);
             let motion = BodyRegressor::new(&mut kinematics, model, &velocities, &accelerations, &anchor);
             let deep = motion.moves_with();
-            bodies.push((deep, motion.columns(&mut kinematics, model, &anchor)));
+            bodies.push((deep, motion.columns(&mut kinematics, model, &anchor, parameters(&anchor))));
             anchors.push(anchor);
         }
         // Bodies are in order from the ground outward, so that a base parameter shared by an outer and an inner body
@@ -268,11 +293,16 @@ impl BodyRegressor {
     }
 
     /// Builds the regressor's columns for the inertial parameters of the body.
-    fn columns(&self, kinematics: &mut Kinematics, model: &Model, anchor: &Anchor) -> Vec<Column> {
+    fn columns(
+        &self,
+        kinematics: &mut Kinematics,
+        model: &Model,
+        anchor: &Anchor,
+        parameters: Vec<InertialParameter>,
+    ) -> Vec<Column> {
         let body = &model.bodies[anchor.body];
-        let stated = RegressorParameterValues::new(kinematics, body, anchor);
-        anchor
-            .parameters()
+        let stated = PlacedInertia::about_anchor(kinematics, body, anchor);
+        parameters
             .into_iter()
             .map(|inertial| {
                 let arena = &mut kinematics.arena;
@@ -287,7 +317,7 @@ impl BodyRegressor {
                     forces: forces.collect(),
                     name: format!("{}_{}", inertial.parameter_symbol(), body.name),
                     unit: inertial.unit(),
-                    stated: stated.of(inertial),
+                    stated: stated.value(arena, inertial),
                 }
             })
             .collect()
@@ -310,85 +340,26 @@ impl BodyRegressor {
             InertialParameter::Inertia(i, j) => {
                 let mut unit = [zero; 3];
                 (unit[i][j], unit[j][i]) = (Expr::ONE, Expr::ONE);
-                let rate = apply_tensor(arena, &unit, &self.alpha);
-                let momentum = apply_tensor(arena, &unit, &self.omega);
-                let gyroscopic = cross_components(arena, &self.omega, &momentum);
-                [zero, std::array::from_fn(|k| arena.add(rate[k], gyroscopic[k]))]
+                [zero, self.moment_of_tensor(arena, &unit)]
+            }
+            InertialParameter::SecondMoment(axis) => {
+                let mut unit = [zero; 3];
+                (0..3).filter(|i| *i != axis).for_each(|i| unit[i][i] = Expr::ONE);
+                [zero, self.moment_of_tensor(arena, &unit)]
             }
         }
+    }
+
+    /// Moment J α + ω × J ω on the body that the motion requires for an inertia tensor J.
+    fn moment_of_tensor(&self, arena: &mut Arena, tensor: &[Components; 3]) -> Components {
+        let rate = apply_tensor(arena, tensor, &self.alpha);
+        let momentum = apply_tensor(arena, tensor, &self.omega);
+        let gyroscopic = cross_components(arena, &self.omega, &momentum);
+        std::array::from_fn(|k| arena.add(rate[k], gyroscopic[k]))
     }
 }
 
 /// Name of the body to which an anchor belongs.
 fn regressor_body_name(model: &Model, anchor: &Anchor) -> String {
     model.bodies[anchor.body].name.clone()
-}
-
-/// Values of a body's inertial parameters in the model, about the anchor's point and along its axes.
-struct RegressorParameterValues {
-    /// Mass of the body, kg.
-    mass: Expr,
-    /// First moments m p_PC of the body about the anchor's point, kg m.
-    moment: Components,
-    /// Inertia tensor of the body about the anchor's point, kg m².
-    inertia: [Components; 3],
-}
-
-impl RegressorParameterValues {
-    /// Computes the values from the model's mass, mass centre and central inertia, by the parallel axis theorem.
-    fn new(kinematics: &mut Kinematics, body: &Body, anchor: &Anchor) -> Self {
-        let back = kinematics.positions[anchor.point].neg(&mut kinematics.arena);
-        let arm = kinematics.positions[body.centre].add(&mut kinematics.arena, &back);
-        let Kinematics { arena, frames, simplifier, .. } = kinematics;
-        let r = frames.express(arena, &arm, anchor.frame).map(|e| expand_names(arena, e));
-        let r = r.map(|e| simplifier.simplify(arena, e));
-        let mut inertia = [[Expr::ZERO; 3]; 3];
-        if let Some((_, own)) = &body.rigid {
-            // The tensor R I Rᵀ is constant in the body.
-            let turn = frames.rotation(arena, own.frame, anchor.frame);
-            for i in 0..3 {
-                for j in 0..3 {
-                    let terms: Vec<Expr> = (0..9)
-                        .map(|k| arena.product(&[turn[i][k / 3], own.tensor[k / 3][k % 3], turn[j][k % 3]]))
-                        .collect();
-                    inertia[i][j] = arena.sum(&terms);
-                }
-            }
-        }
-        let squares = r.map(|e| arena.square(e));
-        for (i, row) in inertia.iter_mut().enumerate() {
-            for (j, entry) in row.iter_mut().enumerate() {
-                let away = if i == j {
-                    arena.add(squares[(i + 1) % 3], squares[(i + 2) % 3])
-                } else {
-                    let product = arena.mul(r[i], r[j]);
-                    arena.neg(product)
-                };
-                let shift = arena.mul(body.mass, away);
-                let sum = arena.add(*entry, shift);
-                let sum = regressor_value_at_zero(arena, sum, &anchor.moved);
-                *entry = simplifier.simplify(arena, sum);
-            }
-        }
-        let moment = r.map(|e| arena.mul(body.mass, e));
-        Self { mass: body.mass, moment, inertia }
-    }
-
-    /// Value of an inertial parameter of the body, as a term in the model's parameters.
-    fn of(&self, inertial: InertialParameter) -> Expr {
-        match inertial {
-            InertialParameter::Mass => self.mass,
-            InertialParameter::FirstMoment(axis) => self.moment[axis],
-            InertialParameter::Inertia(i, j) => self.inertia[i][j],
-        }
-    }
-}
-
-/// Value of a term with all coordinates zero, for a term that contains coordinates but does not depend on them.
-/// Returns the term itself if it has no value there.
-fn regressor_value_at_zero(arena: &mut Arena, e: Expr, coordinates: &[Expr]) -> Expr {
-    let e = expand_names(arena, e);
-    let mut put = Substitution::new(&coordinates.iter().map(|q| (*q, Expr::ZERO)).collect::<Vec<_>>());
-    let value = put.apply(arena, e);
-    if put.undefined.is_some() { e } else { value }
 }
