@@ -1,10 +1,11 @@
 //! Arguments of the command line. Doc comments of options are the help texts that the command prints.
 
+mod fit_options;
 mod notations;
 mod requests;
 
 pub use notations::{Form, Format, Notation};
-pub use requests::{Grade, MarksFormat, Page, Plot, Set, Simulate, Sweep, View};
+pub use requests::{Fit, Grade, MarksFormat, Page, Plot, Set, Simulate, Sweep, View};
 
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
@@ -158,6 +159,18 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Find parameters from measurements: of motions by runs of a scene, or of motions and forces by a model
+    ///
+    /// Examples, with tables whose columns have the names of outputs, or of coordinates, speeds, accelerations and
+    /// inputs:
+    ///
+    ///   tripos fit swing.toml --data swing.csv --for l --for d=0:1 --for theta
+    ///
+    ///   tripos fit arm.toml --data motion.csv --filter 20 --possible
+    ///
+    /// Exit status: 1 if the data leave a combination of the unknowns open; 3 if a search does not come to an end.
+    #[command(verbatim_doc_comment)]
+    Fit(Fit),
     /// Compare a model with a published derivation, or with an edited model; exit status 1 if anything differs
     Diff {
         /// A model file, or a folder with model.toml
@@ -436,6 +449,7 @@ impl Command {
             Self::View(request) => request.json,
             Self::Simulate(request) => request.json,
             Self::Sweep(request) => request.json,
+            Self::Fit(request) => request.json,
             _ => false,
         }
     }

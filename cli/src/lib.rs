@@ -185,6 +185,7 @@ fn run(command: Command) -> Result<u8, Failure> {
             let varied = if declared { RegressorParameters::Declared } else { RegressorParameters::Bodies };
             commands::identify::identify(&model, varied, at.as_deref(), Shape::of(json, csv))
         }
+        Command::Fit(request) => commands::fit::fit(&request),
         Command::Prove { model, also, json } => commands::prove::prove(&model, &also, Output::of_flag(json)),
         Command::Regenerate { models, check: true, json } => {
             commands::regenerate::check(&models, Output::of_flag(json))

@@ -101,6 +101,7 @@ pub(crate) fn is_written_by(text: &str, command: &str) -> bool {
 pub(crate) struct OriginSource {
     folder: String,
     file: String,
+    is_shared: bool,
 }
 
 impl OriginSource {
@@ -113,13 +114,15 @@ impl OriginSource {
     /// Path of the model from which `other` was generated, if the headers of the two texts name different model
     /// files. `None` if the file names agree. Folders are not compared, because a folder may have moved.
     pub(crate) fn path_of_other_model(&self, other: &Self) -> Option<String> {
-        let Self { folder, file } = other;
+        let Self { folder, file, .. } = other;
         self.is_of_other_model(other).then(|| if folder.is_empty() { file.clone() } else { format!("{folder}/{file}") })
     }
 
-    /// True if the headers of two texts name different model files. A publication never counts as different.
+    /// True if the headers of two texts name different model files. A publication never counts as different, and
+    /// neither do files that all models share.
     fn is_of_other_model(&self, other: &Self) -> bool {
-        self.file != other.file && [self, other].iter().all(|source| source.file != PUBLICATION)
+        let are_shared = self.is_shared && other.is_shared;
+        !are_shared && self.file != other.file && [self, other].iter().all(|source| source.file != PUBLICATION)
     }
 }
 
@@ -130,10 +133,11 @@ pub(crate) fn read_origin_source(text: &str, command: &str) -> Option<OriginSour
     let comment = |line: &'_ str| COMMENT_MARKS.iter().find_map(|mark| line.strip_prefix(mark)).map(str::to_owned);
     let origin = |line: String| {
         let line = line.trim_start();
-        let rest = line.strip_prefix(GENERATED_FILE_PREFIX).or_else(|| line.strip_prefix(SHARED_FILE_PREFIX))?;
+        let shared = line.strip_prefix(SHARED_FILE_PREFIX);
+        let rest = line.strip_prefix(GENERATED_FILE_PREFIX).or(shared)?;
         let path = rest.strip_suffix(&advice)?.trim_end_matches(['`', '.', ' ']);
         let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
-        Some(OriginSource { folder: folder.to_owned(), file: file.to_owned() })
+        Some(OriginSource { folder: folder.to_owned(), file: file.to_owned(), is_shared: shared.is_some() })
     };
     text.lines().map_while(comment).find_map(origin)
 }

@@ -24,6 +24,8 @@ pub use families::scene_family::Family;
 pub use families::start_ladder::Ladder;
 pub use families::sweep_grid::{Grid, MOST_POINTS};
 #[cfg(feature = "files")]
+pub use motions::measurements::MeasuredTable;
+#[cfg(feature = "files")]
 pub use motions::motion_samples::load_samples;
 pub use motions::prescribed_motion::{Formulas, Motion, MotionForm, MotionSample, load_motion};
 pub use numbers::number_reader::NamedNumber;

@@ -48,8 +48,12 @@ pub fn integration_method_words(scene: &Scene) -> String {
 }
 
 /// Selects the instants at which a run of the scene keeps samples. If the scene states a number of samples,
-/// they are equally spaced over its span. Otherwise there are four in each step.
+/// they are equally spaced over its span. Otherwise there are four in each step. A program may set the instants
+/// instead.
 fn sample_instants(scene: &Scene) -> OutputOption {
+    if !scene.integration.instants.is_empty() {
+        return OutputOption::At(scene.integration.instants.clone());
+    }
     match scene.integration.samples {
         None => OutputOption::Steps { refine: 4 },
         Some(n) => {

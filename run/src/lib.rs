@@ -27,6 +27,8 @@
 pub mod code;
 pub mod equations_name;
 mod error;
+#[cfg(feature = "files")]
+pub mod fit;
 mod integration_options;
 mod interpreted_equations;
 mod mechanism;

@@ -17,8 +17,8 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::prove::Proof;
 #[cfg(feature = "files")]
 use tripos_derive::scene::model_path_of_scene;
-use tripos_derive::scene::{self as description, Family, Grid, load_scene_with_inputs};
-use tripos_traits::CompiledModel;
+use tripos_derive::scene::{self as description, Family, Grid, SceneNeighbours, load_output, load_scene_with_inputs};
+use tripos_traits::{CompiledModel, Real};
 
 /// Scene (parameters, start and span of a run) with its mechanism.
 #[derive(Clone)]
@@ -56,7 +56,13 @@ impl Scene {
     /// Reads the text of a scene file. Puts the scene's formulas for inputs into the model of the mechanism.
     fn from_source(mut mechanism: Mechanism, source: &Source) -> Result<Self, Error> {
         let file = load_scene_with_inputs(source, &mut mechanism)?;
-        Ok(Self { mechanism, current: file.clone(), file, set: Vec::new() })
+        Ok(Self::from_description(mechanism, file))
+    }
+
+    /// Makes a scene of a mechanism from a description that [`load_scene_with_inputs`] read for this mechanism.
+    #[must_use]
+    pub fn from_description(mechanism: Mechanism, description: description::Scene) -> Self {
+        Self { mechanism, current: description.clone(), file: description, set: Vec::new() }
     }
 
     /// Adds equations of motion that were compiled into the program, such as `tripos_models::MODELS`. Without
@@ -94,13 +100,74 @@ impl Scene {
     /// value,
     /// such as a mass below zero.
     pub fn set_number(&mut self, name: &str, value: f64) -> Result<(), Error> {
-        let mut set = self.set.clone();
-        set.retain(|(known, _)| known != name);
-        set.push((name.to_owned(), value));
-        let grid = Grid::of_values(&set, "what was set", &self.file, &mut self.mechanism).map_err(Error::Inputs)?;
-        let scene = Family::new(&self.file, &self.mechanism, &grid)?.point(0).1?;
-        (self.set, self.current) = (set, scene);
+        *self = self.with_numbers(&[(name.to_owned(), value)])?;
         Ok(())
+    }
+
+    /// Returns the scene with other values of several parameters and numbers of the start, in the units of the model
+    /// file. Numbers that the scene computes from them change too.
+    ///
+    /// # Errors
+    /// [`Error`], for the same reasons as [`Scene::set_number`].
+    pub fn with_numbers(&self, numbers: &[(String, f64)]) -> Result<Self, Error> {
+        let mut changed = self.clone();
+        changed.set.retain(|(known, _)| !numbers.iter().any(|(name, _)| name == known));
+        changed.set.extend(numbers.iter().cloned());
+        let grid = Grid::of_values(&changed.set, "what was set", &changed.file, &mut changed.mechanism);
+        let grid = grid.map_err(Error::Inputs)?;
+        changed.current = Family::new(&changed.file, &changed.mechanism, &grid)?.point(0).1?;
+        Ok(changed)
+    }
+
+    /// Returns the value of a parameter or of a number of the start, in the unit of the model file.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the scene has no number of this name, or if it solves for the number.
+    pub fn number(&self, name: &str) -> Result<f64, Error> {
+        let number = SceneNeighbours::new(&self.current, &self.mechanism, &self.set, name)?;
+        Ok(number.value().to_f64())
+    }
+
+    /// Returns the unit of a parameter or of a number of the start, in SI. It is empty if the scene has no number of
+    /// this name, and for a pure number.
+    #[must_use]
+    pub fn unit_of_number(&self, name: &str) -> String {
+        let number = SceneNeighbours::new(&self.current, &self.mechanism, &self.set, name);
+        number
+            .ok()
+            .map(|number| number.unit())
+            .filter(|unit| !unit.is_plain())
+            .map_or_else(String::new, |unit| unit.to_string())
+    }
+
+    /// Returns the scene with other outputs, and with samples at the given instants, s. An output is the name of an
+    /// output of the scene, or a formula.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if a text is neither an output of the scene nor a formula in names of the model.
+    pub fn with_outputs_at(&self, outputs: &[String], instants: &[f64]) -> Result<Self, Error> {
+        let mut changed = self.clone();
+        let mut list = Vec::new();
+        for text in outputs {
+            let known = self.file.outputs.iter().find(|output| output.name == *text);
+            list.push(match known {
+                Some(known) => known.clone(),
+                None => load_output(text, &mut changed.mechanism)?,
+            });
+        }
+        for scene in [&mut changed.file, &mut changed.current] {
+            scene.outputs.clone_from(&list);
+            scene.states_outputs = true;
+        }
+        Ok(changed.with_instants(instants))
+    }
+
+    /// Returns the scene with samples at the given instants, s.
+    pub(crate) fn with_instants(mut self, instants: &[f64]) -> Self {
+        for scene in [&mut self.file, &mut self.current] {
+            scene.integration.instants = instants.to_vec();
+        }
+        self
     }
 
     /// Proves that the formulations of the model are equivalent, and finds the quantities that its motions

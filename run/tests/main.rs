@@ -6,6 +6,7 @@ mod contacts_apart;
 mod dead_points;
 mod driven;
 mod energy;
+mod fits;
 mod flights;
 mod frames;
 mod friction;

@@ -19,28 +19,58 @@ fn refusals_and_warnings_of_base_parameters() {
         assert_eq!(folder.path().join("out").exists(), status == 0, "{model}");
         expected.assert_eq(&err.replace(root().to_str().unwrap(), "ROOT"));
     };
-    is("puma560", &["--language", "js"], 2, expect![[r#"
+    is(
+        "puma560",
+        &["--language", "js"],
+        2,
+        expect![[r#"
         error: equations in base parameters are written in C, Python, MATLAB and for CasADi
         help: leave `--base` out, or give one of these languages
-    "#]]);
-    is("puma560", &["--language", "c", "--formulation", "lagrange"], 2, expect![[r#"
+    "#]],
+    );
+    is(
+        "puma560",
+        &["--language", "c", "--formulation", "lagrange"],
+        2,
+        expect![[r#"
         error: equations in base parameters are those of Kane's method, not of `lagrange`
         help: leave `--formulation` out, or give --formulation kane
-    "#]]);
-    is("puma560", &["--language", "c", "--functions", "regressor"], 2, expect![[r#"
+    "#]],
+    );
+    is(
+        "puma560",
+        &["--language", "c", "--functions", "regressor"],
+        2,
+        expect![[r#"
         error: the function `regressor` belongs to the equations in the parameters of the model
         help: leave `--base` out
-    "#]]);
-    is("whipple_bicycle", &["--language", "c"], 2, expect![[r#"
+    "#]],
+    );
+    is(
+        "whipple_bicycle",
+        &["--language", "c"],
+        2,
+        expect![[r#"
         error: the base parameter Izz_rear_wheel of this model contains a factor without a formula
         --> ROOT/models/whipple_bicycle/model.toml
          = help: `tripos identify` shows the base parameters; without `--base`, the equations are written in the parameters of the model
-    "#]]);
-    is("euler_top", &["--language", "c"], 0, expect![[r#"
+    "#]],
+    );
+    is(
+        "euler_top",
+        &["--language", "c"],
+        0,
+        expect![[r#"
         warning: the mass matrix and the forcing take 93 operations in base parameters, and 11 in the parameters of the model
         #include "euler_top_base_kane.h", and compile euler_top_base_kane.c with your program; it needs the mathematical library, -lm
-    "#]]);
-    is("puma560", &["--language", "c"], 0, expect![[r##"
+    "#]],
+    );
+    is(
+        "puma560",
+        &["--language", "c"],
+        0,
+        expect![[r##"
         #include "puma560_base_kane.h", and compile puma560_base_kane.c with your program; it needs the mathematical library, -lm
-    "##]]);
+    "##]],
+    );
 }

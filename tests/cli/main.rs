@@ -14,6 +14,7 @@ mod documents;
 mod edited_model;
 mod emit;
 mod files;
+mod fit;
 mod fmu;
 mod grade;
 mod gradients;

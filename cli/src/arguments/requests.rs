@@ -144,6 +144,52 @@ pub struct Sweep {
     pub json: bool,
 }
 
+/// Parameters from measurements.
+#[derive(clap::Args)]
+#[allow(clippy::struct_excessive_bools, reason = "each is an option of its own")]
+pub struct Fit {
+    /// A scene, whose runs are fitted to measured motions; or a model, whose base parameters are fitted to measured
+    /// motions and forces
+    #[arg(value_name = "SCENE|MODEL")]
+    pub target: PathBuf,
+    /// A table of measurements, CSV; may be given more than once, for several experiments
+    #[arg(long, required = true, value_name = "FILE.csv")]
+    pub data: Vec<PathBuf>,
+    /// A parameter, or a number of the start, to be found from the scene's value: NAME, or NAME=LOW:HIGH within bounds;
+    /// for a scene
+    #[arg(long = "for", value_name = "NAME[=LOW:HIGH]")]
+    pub unknowns: Vec<String>,
+    /// A value that an unknown probably has, with its standard deviation; for a scene
+    #[arg(long = "prior", value_name = "NAME=VALUE:DEVIATION")]
+    pub priors: Vec<String>,
+    /// The standard deviation of a measured quantity or force; otherwise it is estimated from the residuals
+    #[arg(long, value_name = "NAME=DEVIATION")]
+    pub noise: Vec<String>,
+    /// Let large residuals count linearly (Huber's loss), so that outliers move the estimates little
+    #[arg(long)]
+    pub robust: bool,
+    /// Fit the parameters that the model file declares, instead of all ten inertial parameters of every body; for a
+    /// model
+    #[arg(long)]
+    pub declared: bool,
+    /// Also find inertial parameters that real bodies can have, nearest to the measured forces; for a model
+    #[arg(long)]
+    pub possible: bool,
+    /// Filter all columns with a low-pass filter without delay, of this cut-off frequency; for a model
+    #[arg(long, value_name = "HZ")]
+    pub filter: Option<f64>,
+    /// Write the residuals to this file, as CSV
+    #[arg(long, value_name = "FILE.csv")]
+    pub residuals: Option<PathBuf>,
+    #[command(flatten)]
+    pub set: Set,
+    #[command(flatten)]
+    pub how: RunOptions,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// Other values for numbers of a scene.
 #[derive(clap::Args)]
 pub struct Set {

@@ -89,7 +89,7 @@ fn factor_text(found: &Identification, factor: &BaseParameterFactor) -> String {
 }
 
 /// Returns a base parameter as text: a sum of parameters with factors.
-fn combination(found: &Identification, base: &BaseParameter) -> String {
+pub(super) fn combination(found: &Identification, base: &BaseParameter) -> String {
     let mut out = parameter_name_of_column(found, base.column).to_owned();
     for (column, factor) in &base.with {
         let (name, factor) = (parameter_name_of_column(found, *column), factor_text(found, factor));

@@ -7,6 +7,7 @@ pub mod diff;
 pub mod emit;
 pub mod equilibria;
 pub mod evaluate;
+pub mod fit;
 pub mod fmu;
 pub mod grade;
 pub mod identify;

@@ -255,7 +255,10 @@ impl LanguageTarget<'_> {
         };
         let composites = self.dialect.composites().iter().copied().filter(can_write);
         let composites: Vec<CompositeFunction> = composites.filter(|composite| self.wants(composite.name())).collect();
-        let needed: Vec<&str> = composites.iter().flat_map(|composite| composite.needs()).copied().collect();
+        // Without the function of the base parameters, the last parameters would have no values.
+        let of_base = self.selection.in_base_parameters.then_some(ModulePlan::BASE_PARAMETERS);
+        let needed = composites.iter().flat_map(|composite| composite.needs()).copied().chain(of_base);
+        let needed: Vec<&str> = needed.collect();
         plan.functions.retain(|function| self.wants(function.name) || needed.contains(&function.name));
         let own = composites.iter().map(|composite| composite.name());
         for name in plan.functions.iter().map(|function| function.name).chain(own) {

@@ -48,6 +48,9 @@ pub struct ModulePlan {
 }
 
 impl ModulePlan {
+    /// Name of the function that computes the base parameters.
+    pub const BASE_PARAMETERS: &'static str = "base_parameters";
+
     /// Names of all functions that a plan may contain, in the order in which they are written.
     pub const FUNCTIONS: [&'static str; 28] = [
         "mass_matrix",
@@ -151,12 +154,15 @@ impl ModulePlan {
         let values: Vec<Value> = values.collect();
         let about =
             "Base parameters from the parameters of the model: the last entries of p, which all other functions read.";
-        let function = planner.plan_function("base_parameters", about, Arguments::Parameters, Returns::Vector, &values);
+        let function =
+            planner.plan_function(Self::BASE_PARAMETERS, about, Arguments::Parameters, Returns::Vector, &values);
         self.functions.push(function);
-        self.facts.push(format!(
-            "The last {} parameters are base parameters. The function `base_parameters` computes them from the parameters before them.",
-            base_parameters.len()
-        ));
+        let last = match base_parameters.len() {
+            1 => "The last parameter is a base parameter".to_owned(),
+            count => format!("The last {count} parameters are base parameters"),
+        };
+        self.facts
+            .push(format!("{last}. The function `base_parameters` computes them from the parameters before them."));
     }
 
     /// Adds titled lists of names of results, except empty lists.

@@ -27,8 +27,11 @@ pub(crate) fn equations_with_inertial_parameters(
     if let Some(added) = model.added_masses.first() {
         return Err(DeriveError::AddedMass { body: model.bodies[added.body].name.clone() });
     }
-    let mut kinematics = Kinematics::in_form(model, EquationForm::Steps)?;
+    // Energies, power and constraints have the form in which the model is computed.
+    let mut kinematics = Kinematics::new(model)?;
     let stated = derive_with(model, &mut kinematics, Formulation::Kane)?;
+    let model = &Model { arena: kinematics.arena, ..model.clone() };
+    let mut kinematics = Kinematics::in_form(model, EquationForm::Steps)?;
     let mut bodies: Vec<PlacedInertia> =
         (0..model.bodies.len()).map(|at| PlacedInertia::empty_at(&Anchor::of(model, at))).collect();
     for (body, parameter, value) in parameters {

@@ -10,7 +10,7 @@ use crate::state_arrays::{Arguments, StateRows, share_states, write_in_lanes};
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::value::tape::Tape;
-use tripos_derive::identify::{BaseParameterFactor, Identification};
+use tripos_derive::identify::{BaseParameter, BaseParameterFactor, Identification};
 use tripos_derive::mechanics::RegressorParameters;
 use tripos_derive::scene::MotionSample;
 use tripos_traits::{DoubleDouble, Lanes};
@@ -99,7 +99,7 @@ pub fn regressor_rows(
     states: &[MotionSample],
 ) -> Result<Vec<RegressorRow>, Error> {
     let speeds = model.speeds.len();
-    let tape: Tape<DoubleDouble> = regressor_tape(model, found)?.to();
+    let tape: Tape<DoubleDouble> = regressor_tape(model, found, &found.base)?.to();
     let mut p = parameters.to_vec();
     for at in inputs_in_regressor(model) {
         p[at] = 0.0.into();
@@ -125,9 +125,9 @@ pub fn regressor_rows(
 ///
 /// # Errors
 /// [`Error::Request`] if a column contains a symbol without a value.
-fn regressor_tape(model: &Mechanism, found: &Identification) -> Result<Tape, Error> {
+pub(crate) fn regressor_tape(model: &Mechanism, found: &Identification, base: &[BaseParameter]) -> Result<Tape, Error> {
     let regressor = &found.regressor;
-    let columns = found.base.iter().map(|base| &regressor.columns[base.column].forces);
+    let columns = base.iter().map(|base| &regressor.columns[base.column].forces);
     let terms: Vec<Expr> = columns.chain([&regressor.rest]).flatten().copied().collect();
     let rates = model.speeds.iter().map(|speed| speed.rate).collect();
     let known = [model.p(), model.q(), model.u(), rates].concat();
@@ -157,7 +157,7 @@ impl StateRegressor {
     /// # Errors
     /// [`Error::Request`] if a column contains a symbol without a value.
     pub fn new(model: &Mechanism, found: &Identification) -> Result<Self, Error> {
-        let tape = regressor_tape(model, found)?.to();
+        let tape = regressor_tape(model, found, &found.base)?.to();
         Ok(Self { tape, inputs: inputs_in_regressor(model), speeds: model.speeds.len() })
     }
 

@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::scene::numbers::number_reader::{ParsedFormulas, ValueReader, VariedNumber};
 use crate::scene::numbers::scene_number::{Number, double_values};
 use crate::scene::starts::state::Start;
-use crate::scene::{Scene, SceneNumbers};
+use crate::scene::{Integration, Scene, SceneNumbers};
 use crate::toml_reader::TomlReader;
 use toml::Spanned;
 use toml::de::DeTable;
@@ -66,6 +66,8 @@ impl<'a> Family<'a> {
         let parameters = double_values(&p);
         let impacts =
             self.scene.impacts.iter().zip(&coefficients).map(|(impact, of)| impact.with_coefficients(of)).collect();
+        // Instants are set by a program, and stand in no file.
+        let integration = Integration { instants: self.scene.integration.instants.clone(), ..integration };
         Ok(Scene { parameters, q, u, exact, closed, span, integration, impacts, ladder: None, ..self.scene.clone() })
     }
 }

@@ -170,6 +170,9 @@ pub struct Integration {
     pub step_limit: u64,
     /// Number of equally spaced samples of the output, ends included. `None` gives four points in each step.
     pub samples: Option<usize>,
+    /// Instants of the samples, s, which a program sets in place of equally spaced ones, in the order of the run. Empty
+    /// for the samples that `samples` states.
+    pub instants: Vec<f64>,
     /// True if the run ends at the border of the model's domain. False if the run continues and reports the crossing.
     pub domain_stops: bool,
     /// Invariant onto which each step is projected; `None` for no projection.
@@ -233,6 +236,7 @@ impl<'a> ValueReader<'a, '_> {
             max_step: self.step(section, "max_step", p),
             step_limit: self.integration_count(section, "step_limit", STEP_LIMITS).unwrap_or(1_000_000),
             samples: self.integration_count(section, "samples", SAMPLES).and_then(|n| usize::try_from(n).ok()),
+            instants: Vec::new(),
             domain_stops: self.choice(section, "domain", &["stop", "watch"]) != Some("watch"),
             project: project.and_then(|name| name.parse().ok()),
             may_measure: !self.refuses_distance(section),
