@@ -5,6 +5,7 @@
 //! Automation 6 (1990) 368-373; M. Gautier, J. Robotic Systems 8 (1991) 485-506, for the rank in numbers.
 
 use nalgebra::DMatrix;
+use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
@@ -474,4 +475,67 @@ fn factors_hold_sines_of_angles_that_stay() {
     assert!(is_proved(&found), "{:?}", found.complete);
     let all = sums(&found);
     assert!(all[0].starts_with("Izz_one") && all[0].contains("Iyy_two") && all[0].contains("cos(beta)^2"), "{all:?}");
+}
+
+/// Goal: square roots hide no parameter. Method: a slider along an oblique axis, whose direction has √5, which exists
+/// modulo every second prime; and a chain with four smoothed frictions, whose square roots rarely all exist at a random
+/// state.
+#[test]
+fn square_roots_hide_no_parameter() {
+    let slider = model(
+        r#"
+name = "slider along an oblique axis"
+[parameters]
+m = { unit = "kg", value = 1, positive = true }
+g = { unit = "m/s^2", value = 9.81 }
+[inertial]
+frame = "N"
+origin = "O"
+[gravity]
+frame = "N"
+acceleration = [0, 0, "-g"]
+[bodies]
+b1 = { mass = "m", inertia = { diagonal = [0, 0, 0] } }
+[joints]
+j1 = { kind = "slider", body = "b1", axis = [1, 0, 2] }
+"#,
+    );
+    let found = identify(&slider, RegressorParameters::Bodies);
+    assert_eq!(sums(&found), ["m_b1"]);
+    assert!(is_proved(&found));
+    let mut chain = r#"
+name = "chain"
+[parameters]
+m = { unit = "kg", value = 1, positive = true }
+l = { unit = "m", value = 1, positive = true }
+f = { unit = "N*m", value = 1, positive = true }
+[inertial]
+frame = "N"
+origin = "O"
+[bodies]
+"#
+    .to_owned();
+    let links = 4;
+    for k in 1..=links {
+        let _ = writeln!(chain, "b{k} = {{ mass = \"m\", inertia = \"m*l^2/12\" }}");
+    }
+    for (section, keys) in [
+        ("joints", "kind = \"pin\", body = \"bK\", axis = 3, centre = [\"l/2\", 0, 0]"),
+        ("friction", "on = \"bK\", frame = \"N\", axis = 3, torque = \"f\", smoothing = \"0.01 rad/s\""),
+    ] {
+        let _ = writeln!(chain, "[{section}]");
+        for k in 1..=links {
+            let own = keys.replace('K', &k.to_string());
+            let before = match (section, k) {
+                (_, 1) => String::new(),
+                ("joints", _) => format!(", to = \"b{}\", at = [\"l\", 0, 0]", k - 1),
+                _ => format!(", against = \"b{}\"", k - 1),
+            };
+            let _ = writeln!(chain, "{section}{k} = {{ {own}{before} }}");
+        }
+    }
+    let found = identify(&model(&chain), RegressorParameters::Bodies);
+    // Three of the last link and of each link before it, less what the first joint does not show without gravity.
+    assert_eq!(found.base.len(), 11, "{:?}", sums(&found));
+    assert!(is_proved(&found));
 }

@@ -47,16 +47,6 @@ fn refusals_and_warnings_of_base_parameters() {
     "#]],
     );
     is(
-        "whipple_bicycle",
-        &["--language", "c"],
-        2,
-        expect![[r#"
-        error: the base parameter Izz_rear_wheel of this model contains a factor without a formula
-        --> ROOT/models/whipple_bicycle/model.toml
-         = help: `tripos identify` shows the base parameters; without `--base`, the equations are written in the parameters of the model
-    "#]],
-    );
-    is(
         "euler_top",
         &["--language", "c"],
         0,

@@ -261,13 +261,12 @@ fn regressors_give_the_forces_that_motion_needs() {
 }
 
 /// Writes the equations of a model in base parameters in a dialect.
-fn write_in_base_parameters(model: &Model, dialect: &dyn Dialect, folder: &Path) -> Option<()> {
+fn write_in_base_parameters(model: &Model, dialect: &dyn Dialect, folder: &Path) {
     let selection = Selection { in_base_parameters: true, ..Selection::default() };
-    let emitted = emit_language_modules(model, dialect, selection).ok()?;
+    let emitted = emit_language_modules(model, dialect, selection).unwrap_or_else(|error| panic!("{error}"));
     for (name, text) in &emitted.emission.files {
         std::fs::write(folder.join(name), text).unwrap();
     }
-    Some(())
 }
 
 /// Goal: equations in base parameters give the force that a motion needs, in every language. Method: M u̇ − f and the
@@ -291,9 +290,7 @@ fn equations_in_base_parameters_give_the_forces_that_motion_needs() {
         let moved = Moved::random(kane.extended);
         let folder = tempfile::tempdir().unwrap();
         let at = folder.path();
-        if write_in_base_parameters(&model, &C, at).is_none() {
-            continue;
-        }
+        write_in_base_parameters(&model, &C, at);
         count += 1;
         let stem = format!("{name}_base_kane");
         let text = std::fs::read_to_string(at.join(format!("{stem}.h"))).unwrap();
@@ -335,5 +332,5 @@ fn equations_in_base_parameters_give_the_forces_that_motion_needs() {
             moved.check(&printed, 2, &format!("{name} in MATLAB"));
         }
     }
-    assert!(count >= QUICK.len() - 1, "{count} models have equations in base parameters");
+    assert!(count >= QUICK.len(), "{count} models have equations in base parameters");
 }

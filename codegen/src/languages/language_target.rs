@@ -14,7 +14,7 @@ use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
-use tripos_derive::identify::{BaseEquations, NoBaseEquations};
+use tripos_derive::identify::BaseEquations;
 use tripos_derive::mechanics::{Derivation, DeriveError, SolvedAccelerations, Unsolved, parameter_jacobian};
 use tripos_derive::scene::Scene;
 use tripos_derive::{Equations, Formulation, Model, derive};
@@ -169,7 +169,7 @@ impl LanguageTarget<'_> {
     /// Writes Kane's equations of the model in base parameters. Returns the operations of mass matrix and forcing
     /// together, in base parameters and in the parameters of the model. `Err` if the equations cannot be derived.
     fn write_base_equations(&mut self, model: &Model) -> Result<[usize; 2], Diagnostics> {
-        let base = BaseEquations::new(model).map_err(|why| no_base_equations(model, &why))?;
+        let base = BaseEquations::new(model).map_err(|error| model.diagnose(&error))?;
         let plain = derive(model, BaseEquations::FORMULATION).map_err(|error| model.diagnose(&error))?;
         let language = self.dialect.language();
         let operations = [(&base.model, base.derivation.clone()), (model, plain)].map(|(model, derivation)| {
@@ -279,19 +279,6 @@ impl LanguageTarget<'_> {
         self.files.extend(script.and_then(|run| self.dialect.script(&module, run)));
         self.main_file.get_or_insert_with(|| self.dialect.main_file(&self.model_word, &module_name(&name)));
     }
-}
-
-/// Returns the diagnostics of a model that has no equations in base parameters.
-fn no_base_equations(model: &Model, why: &NoBaseEquations) -> Diagnostics {
-    let message = match why {
-        NoBaseEquations::Derivation(error) => return model.diagnose(error),
-        NoBaseEquations::WithoutFormula(name) => {
-            format!("the base parameter {name} of this model contains a factor without a formula")
-        }
-        NoBaseEquations::Unproved => "the base parameters of this model are not proved to be complete".to_owned(),
-    };
-    let help = "`tripos identify` shows the base parameters; without `--base`, the equations are written in the parameters of the model";
-    Diagnostics::new(model.source.clone(), vec![Diagnostic::of_file(message, help)])
 }
 
 /// Solves the equations for the accelerations in closed form, and differentiates the accelerations with respect to

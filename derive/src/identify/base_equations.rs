@@ -4,7 +4,7 @@
 //! robots", IEEE J. Robotics and Automation 3 (1987) 517–526. Here the equations come from the recursion of Kane's
 //! method. Inertial parameters that name no base parameter are zero in the equations.
 
-use super::{BaseParameter, BaseParameterFactor, Completeness, Identification};
+use super::{BaseParameter, BaseParameterFactor, Identification};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::steps::Definition;
 use crate::algebra::value::tape::Tape;
@@ -14,6 +14,7 @@ use crate::mechanics::{
     equations_with_inertial_parameters,
 };
 use crate::model::{Model, Parameter};
+use std::collections::BTreeSet;
 
 /// Equations of motion in which base parameters take the place of the bodies' masses, mass centres and inertias.
 pub struct BaseEquations {
@@ -26,17 +27,6 @@ pub struct BaseEquations {
     pub base_parameters: Vec<Definition>,
 }
 
-/// Reason why a model has no equations in base parameters.
-#[derive(Clone, Debug)]
-pub enum NoBaseEquations {
-    /// The model or its regressor cannot be derived, or a proof fails.
-    Derivation(DeriveError),
-    /// The base parameter with this name contains a factor without a formula.
-    WithoutFormula(String),
-    /// The base parameters are not proved to be complete.
-    Unproved,
-}
-
 impl BaseEquations {
     /// Formulation by which equations in base parameters are derived.
     pub const FORMULATION: Formulation = Formulation::Kane;
@@ -44,13 +34,12 @@ impl BaseEquations {
     /// Derives the equations of a model in base parameters, and proves that they are Kane's equations of the model.
     ///
     /// # Errors
-    /// Returns a [`NoBaseEquations`] if the model cannot be derived, if a base parameter has no formula, or if a proof
-    /// fails.
-    pub fn new(model: &Model) -> Result<Self, NoBaseEquations> {
-        let mut found = proved_base_parameters(model, &Anchor::parameters)?;
+    /// Returns a [`DeriveError`] if the model cannot be derived, if a body has an added mass, or if the proof fails.
+    pub fn new(model: &Model) -> Result<Self, DeriveError> {
+        let mut found = base_parameters_with_formulas(model, &Anchor::parameters)?;
         let with_second_moments = bodies_with_second_moments(model, &mut found);
         if with_second_moments.iter().any(|chosen| *chosen) {
-            found = proved_base_parameters(model, &|anchor| {
+            found = base_parameters_with_formulas(model, &|anchor| {
                 if with_second_moments[anchor.body] {
                     anchor.parameters_with_second_moments()
                 } else {
@@ -93,33 +82,42 @@ impl BaseEquations {
             inertial.push((body, parameter, symbol));
         }
         set_default_values(&mut extended, &base_parameters);
-        let (arena, equations) =
-            equations_with_inertial_parameters(&extended, &inertial).map_err(NoBaseEquations::Derivation)?;
+        let (arena, equations) = equations_with_inertial_parameters(&extended, &inertial)?;
         certify_equal_forces(&arena, &base_parameters, &equations.required, &regressor.required)
-            .map_err(|why| NoBaseEquations::Derivation(DeriveError::Unsolved(why.into())))?;
+            .map_err(|why| DeriveError::Unsolved(why.into()))?;
         Ok(Self { model: extended, derivation: Derivation { arena, equations }, base_parameters })
     }
 }
 
-/// Base parameters of the inertial parameters that `parameters` lists for each body. They hold in all poses.
+/// Base parameters of the inertial parameters that `parameters` lists for each body. They hold in all poses, and all
+/// their factors have formulas. An inertial parameter that has a factor without a formula becomes a base parameter of
+/// its own; the base parameters are then not the fewest possible.
 ///
 /// # Errors
-/// Returns a [`NoBaseEquations`] if the model cannot be derived, or if the base parameters are not proved.
-fn proved_base_parameters(
+/// Returns a [`DeriveError`] if the model cannot be derived, or if a body has an added mass.
+fn base_parameters_with_formulas(
     model: &Model,
     parameters: &dyn Fn(&Anchor) -> Vec<InertialParameter>,
-) -> Result<Identification, NoBaseEquations> {
-    let regressor = Regressor::of_bodies(model, parameters).map_err(NoBaseEquations::Derivation)?;
+) -> Result<Identification, DeriveError> {
+    let regressor = Regressor::of_bodies(model, parameters)?;
     let mut found = Identification::of_regressor(model, regressor);
     found.ungroup();
-    if matches!(found.complete, Completeness::Proved(_)) {
-        return Ok(found);
+    if found.base.is_empty() {
+        // No relations between the columns were found.
+        found.base =
+            (0..found.regressor.columns.len()).map(|column| BaseParameter { column, with: Vec::new() }).collect();
     }
-    let has_unknown = |base: &&BaseParameter| base.with.iter().any(|(_, f)| *f == BaseParameterFactor::Unknown);
-    Err(match found.base.iter().find(has_unknown) {
-        Some(base) => NoBaseEquations::WithoutFormula(found.regressor.columns[base.column].name.clone()),
-        None => NoBaseEquations::Unproved,
-    })
+    let mut alone = BTreeSet::new();
+    for (column, factor) in found.base.iter().flat_map(|base| &base.with) {
+        if !matches!(factor, BaseParameterFactor::Exact(_)) {
+            alone.insert(*column);
+        }
+    }
+    for base in &mut found.base {
+        base.with.retain(|(column, _)| !alone.contains(column));
+    }
+    found.base.extend(alone.into_iter().map(|column| BaseParameter { column, with: Vec::new() }));
+    Ok(found)
 }
 
 /// For each body: true if its inertia force takes fewer operations with second moments than with moments of inertia.

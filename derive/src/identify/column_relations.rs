@@ -10,8 +10,11 @@ use rustc_hash::FxHashSet;
 
 /// Number of further states at which the rank of the columns must not increase.
 const STILL: usize = 2;
-/// Largest number of random draws for a state, in search of values at which all terms are defined.
-const TRIES: usize = 20;
+/// Largest number of random draws for a state, in search of values at which all terms are defined. Each square root of
+/// a moving term halves the chance of a draw.
+const TRIES: usize = 500;
+/// Largest number of primes that are tried. The square root of a number exists modulo every second prime.
+const PRIMES: usize = 12;
 
 /// Linear relations between the columns of a regressor. Their factors can be computed at random
 /// values of the known parameters.
@@ -51,7 +54,7 @@ pub type ChangedParameters<'s> = Option<(&'s FxHashSet<Expr>, u64)>;
 
 impl<'a> ColumnRelations<'a> {
     /// Finds the dependent columns for general values of the known parameters. `None` if no values
-    /// of the columns are found.
+    /// of the columns are found modulo any of the tried primes.
     pub fn new(arena: &'a Arena, columns: &[Column], letters: &'a KnownParameters) -> Option<Self> {
         let terms = columns.iter().flat_map(|column| &column.forces).chain(letters.atoms()).copied().collect();
         let mut sampler = ResidueSampler::new(arena, terms);
@@ -71,7 +74,17 @@ impl<'a> ColumnRelations<'a> {
         if columns.is_empty() {
             return Some(table);
         }
-        table.find_state_count(seed)?;
+        let mut seed = seed;
+        for _ in 0..PRIMES {
+            if table.find_state_count(seed).is_some() {
+                break;
+            }
+            (table.field, table.states) = (table.sampler.field(), 0);
+            seed = table.seed();
+        }
+        if table.states == 0 {
+            return None;
+        }
         // Two points are used, since a factor may be 0 by chance at one of them.
         let again = table.seed();
         for seed in [seed, again] {

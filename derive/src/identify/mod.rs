@@ -21,7 +21,7 @@ mod factor_formula;
 mod known_parameters;
 mod loop_relations;
 
-pub use base_equations::{BaseEquations, NoBaseEquations};
+pub use base_equations::BaseEquations;
 pub use loop_relations::LoopSample;
 
 use crate::algebra::Expr;
