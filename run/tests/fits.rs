@@ -296,11 +296,58 @@ fn tables_of_coordinates_are_differentiated() {
     let table = MeasuredTable::read(&Source::from_text("data.csv", &text)).unwrap_or_else(|e| panic!("{e}"));
     for (cut_off, accuracy) in [(None, 1e-4), (Some(50.0), 1e-3)] {
         let data = motion_of_table(&model, "data.csv", &table, cut_off).unwrap_or_else(|e| panic!("{e}"));
-        let fit = forces(&model, &found, data, &FitOptions::default()).fit;
+        assert!(data.unused.is_empty() && !data.has_inputs_and_forces);
+        let fit = forces(&model, &found, data.motions, &FitOptions::default()).fit;
         for (estimate, truth) in fit.estimates.iter().zip(&truth) {
             assert!((estimate.value - truth).abs() < accuracy, "{}: {} not {truth}", estimate.name, estimate.value);
         }
     }
+}
+
+/// Goal: standard errors stay honest after a filter, which makes neighbouring errors alike. Method: an arm of which
+/// only the forces have noise, filtered well below half of the sampling frequency.
+#[test]
+fn filtered_forces_are_within_three_standard_errors() {
+    let model = mechanism(ARM);
+    let (found, truth) = identified(&model);
+    let exact = motions(&model, 1600, 3);
+    let mut random = Random(86);
+    let mut squares = vec![0.0; truth.len()];
+    let draws = 40;
+    for _ in 0..draws {
+        let data = noisy(&exact, 0.05, &mut random);
+        let mut text = "t,q1,q2,q3,u1,u2,u3,u1',u2',u3',force(u1),force(u2),force(u3)\n".to_owned();
+        for moving in &data {
+            let row = [&[moving.t.unwrap()][..], &moving.q, &moving.u, &moving.rates, &moving.forces].concat();
+            text += &(row.iter().map(|x| format!("{x:?}")).collect::<Vec<_>>().join(",") + "\n");
+        }
+        let table = MeasuredTable::read(&Source::from_text("data.csv", &text)).unwrap_or_else(|e| panic!("{e}"));
+        let data = motion_of_table(&model, "data.csv", &table, Some(15.0)).unwrap_or_else(|e| panic!("{e}"));
+        let options = FitOptions { rows_for_each_error: data.rows_for_each_error, ..FitOptions::default() };
+        let fit = forces(&model, &found, data.motions, &options).fit;
+        for (square, (estimate, truth)) in squares.iter_mut().zip(fit.estimates.iter().zip(&truth)) {
+            *square += ((estimate.value - truth) / estimate.error.unwrap()).powi(2);
+        }
+    }
+    let mean = squares.iter().sum::<f64>() / (draws * squares.len()) as f64;
+    assert!((0.7..1.4).contains(&mean.sqrt()), "{}", mean.sqrt());
+}
+
+/// Goal: a search does not leave a start that fits. Method: a chaotic run, whose truth is the scene's own.
+#[test]
+fn a_search_stays_at_a_start_that_fits() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/chaotic_pendulum/scenes");
+    let file = std::fs::read_dir(path).unwrap().next().unwrap().unwrap().path();
+    let scene = Scene::read(&file).unwrap_or_else(|e| panic!("{e}"));
+    let model = scene.mechanism();
+    let output = model.coordinates[0].name.clone();
+    let parameter = model.parameters.iter().find(|p| !p.is_input && p.value.is_some()).unwrap().name.clone();
+    let value = scene.number(&parameter).unwrap();
+    let table = measured(&scene, &[(&parameter, value)], &[&output], 1e-3, &mut Random(87));
+    let fit = runs(&scene, vec![table], &[unknown(&parameter)]);
+    let estimate = &fit.estimates[0];
+    assert!((estimate.value - value).abs() <= 4.0 * estimate.error.unwrap(), "{estimate:?}, not {value}");
+    assert!(!fit.quantities[0].has_pattern);
 }
 
 /// Pendulum with drag.

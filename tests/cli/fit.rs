@@ -90,13 +90,13 @@ fn words_name_what_the_data_do_not_tell() {
     );
     assert_eq!(status, 1);
     expect![[r#"
-        l = 0.7499 ± 8.4e-4 m  (stated: 1)
-        c = 0.123193 kg/s, not told by the data  (stated: 0.1)
-        m = 0.41807 kg, not told by the data  (stated: 1)
-        theta = 1.197 ± 0.00617  (stated: 1)
+        l = 0.7499 ± 8.4e-4 m  (scene: 1)
+        c = 0.123193 kg/s, not told by the data  (scene: 0.1)
+        m = 0.41807 kg, not told by the data  (scene: 1)
+        theta = 1.197 ± 0.00617  (scene: 1)
 
         theta: 120 values, residuals 0.0219053 (root mean square)
-        not told by the data: no measured value changes if c changes by 0.123193 and m changes by 0.41807
+        not told by the data: no measured value changes if c changes by 0.294669 and m changes by 1
     "#]]
     .assert_eq(&format!("{out}{err}"));
     let table = std::fs::read_to_string(residuals).unwrap();
@@ -301,6 +301,76 @@ fn wrong_options_are_refused() {
               |
               = help: known here: `t`, `theta`
         "#]],
+    );
+}
+
+/// Goal: data that tell nothing, and files that would be lost, are refused. Method: one of each kind.
+#[test]
+fn data_that_tell_nothing_are_refused() {
+    let folder = DataFolder::new();
+    let good = "t,theta\n0,1\n1,0.5\n";
+    let scene = ["swing_scene.toml", "--data", "data.csv", "--for", "l"];
+    folder.refuses(
+        good,
+        &[&scene[..], &["--residuals", "data.csv"]].concat(),
+        expect![[r#"
+        error: the output `data.csv` would overwrite the input `data.csv`
+        help: give another file
+    "#]],
+    );
+    folder.refuses(
+        good,
+        &[&scene[..], &["--until", "3"]].concat(),
+        expect![[r#"
+        error: `--until` means nothing for a fit
+        help: leave `--until` out: the table states the instants
+    "#]],
+    );
+    folder.refuses(
+        good,
+        &[&scene[..], &["--for", "theta"]].concat(),
+        expect![[r#"
+        error: there are 2 measured values for 2 unknowns
+        help: give more rows than unknowns, or find fewer unknowns
+    "#]],
+    );
+    folder.refuses(
+        good,
+        &[&scene[..], &["--data", "data.csv"]].concat(),
+        expect![[r#"
+        error: `data.csv` is given twice
+        help: give each table once
+    "#]],
+    );
+    folder.refuses(
+        "t;theta\n0;1\n",
+        &scene,
+        expect![[r#"
+        error: the columns are not separated by commas
+         --> data.csv:1:1
+          |
+        1 | t;theta
+          | ^^^^^^^
+          |
+          = help: separate the names and the numbers by commas
+    "#]],
+    );
+    let still: String = (0..12).map(|k| format!("{k},{},{}\n", k % 3, k % 2)).collect::<Vec<_>>().concat();
+    folder.refuses(
+        &format!("t,q1,q2\n{still}"),
+        &["arm.toml", "--data", "data.csv"],
+        expect![[r#"
+        error: all measured forces are 0, which tells no parameter
+        help: give columns for inputs, or for forces such as `force(u1)`
+    "#]],
+    );
+    folder.refuses(
+        good,
+        &["arm.toml", "--data", "arm.csv", "--filter", "-3"],
+        expect![[r#"
+        error: a filter at -3 Hz does not fit instants every 0.0200501 s
+        help: give a frequency above 0 and below 24.9375 Hz
+    "#]],
     );
     folder.refuses(
         good,

@@ -48,6 +48,9 @@ impl Fit {
                 let help = format!("add `--for {name}`, or leave the prior out");
                 return Err(Failure::request(format!("`{name}` has a prior and is not fitted"), help));
             };
+            if unknown.prior.is_some() {
+                return Err(Failure::request(format!("`{name}` has two priors"), "leave one of them out"));
+            }
             unknown.prior = Some((number_of_option(value, "--prior")?, deviation_of_option(deviation, "--prior")?));
         }
         Ok(list)

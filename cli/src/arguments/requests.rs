@@ -176,7 +176,7 @@ pub struct Fit {
     #[arg(long)]
     pub possible: bool,
     /// Filter all columns with a low-pass filter without delay, of this cut-off frequency; for a model
-    #[arg(long, value_name = "HZ")]
+    #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
     pub filter: Option<f64>,
     /// Write the residuals to this file, as CSV
     #[arg(long, value_name = "FILE.csv")]

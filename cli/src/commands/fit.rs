@@ -2,15 +2,15 @@
 
 use super::identify::combination;
 use crate::arguments::Fit as Request;
-use crate::files::output_files::{refuse_overwriting_inputs, write_table_file};
+use crate::files::output_files::{refuse_overwriting_files, refuse_overwriting_inputs, write_table_file};
 use crate::files::scene_file::{read_scene, set_scene_values};
 use crate::files::workspace::{model_file, read_model};
-use crate::terminal::failure::{Failure, print, print_json, print_to_stderr, status, warn};
+use crate::terminal::failure::{Failure, print, print_json, status, warn};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::fit::force_fit::{ForceFit, fit_to_forces};
-use tripos::fit::motion_tables::motion_of_table;
+use tripos::fit::motion_tables::{MotionTable, motion_of_table};
 use tripos::fit::possible_inertia::{PossibleInertia, possible_inertia};
 use tripos::fit::run_fit::{Experiment, fit_to_runs};
 use tripos::fit::{Fit, FitOptions};
@@ -22,6 +22,8 @@ use tripos_derive::scene::{MeasuredTable, is_scene};
 
 /// Correlation above which a pair of estimates is listed.
 const HIGH: f64 = 0.9;
+/// Residual of a loop at measured coordinates above which the loop is not closed, in the unit of the loop.
+const OPEN: f64 = 1e-2;
 /// Ratio of the residuals of unseen and seen instants above which the fit does not carry over.
 const UNSEEN: f64 = 1.5;
 
@@ -33,7 +35,10 @@ const UNSEEN: f64 = 1.5;
 pub fn fit(request: &Request) -> Result<u8, Failure> {
     let is_of_scene = Source::read(&model_file(&request.target)).is_ok_and(|source| is_scene(&source));
     check_options(request, is_of_scene)?;
-    let options = FitOptions { is_robust: request.robust, noise: request.named_deviations()? };
+    if let Some(path) = &request.residuals {
+        refuse_overwriting_files(&request.data, path)?;
+    }
+    let options = FitOptions { is_robust: request.robust, noise: request.named_deviations()?, ..FitOptions::default() };
     let tables = request.data.iter().map(|path| Ok(MeasuredTable::read(&Source::read(path)?)?));
     let tables = tables.collect::<Result<Vec<_>, Failure>>()?;
     let (fit, of_forces, possible) = if is_of_scene {
@@ -42,9 +47,9 @@ pub fn fit(request: &Request) -> Result<u8, Failure> {
         let (of_forces, possible) = fit_model(request, &tables, &options)?;
         (of_forces.fit.clone(), Some(of_forces), possible)
     };
-    for quantity in fit.quantities.iter().filter(|quantity| quantity.is_unexplained) {
+    for quantity in fit.quantities.iter().filter(|quantity| quantity.has_pattern) {
         warn(&format!(
-            "the fit explains little of `{}`: start the search nearer to the data, give bounds, or fit other numbers",
+            "neighbouring residuals of `{}` are alike: the model lacks something, or the search ended at a wrong minimum; standard errors are too small",
             quantity.name
         ));
     }
@@ -57,9 +62,13 @@ pub fn fit(request: &Request) -> Result<u8, Failure> {
     } else {
         print(&text_of(request, &fit, unseen, possible.as_ref()))?;
     }
-    let has_converged = fit.has_converged && possible.as_ref().is_none_or(|possible| possible.has_converged);
-    if !has_converged {
-        print_to_stderr("warning: the search did not come to an end: start it nearer to the data, or give bounds");
+    if !fit.has_converged {
+        warn("the search did not come to an end: start it nearer to the data, or give bounds");
+    }
+    if possible.as_ref().is_some_and(|possible| !possible.has_converged) {
+        warn("the search for possible inertias did not come to an end: state masses and inertias nearer to the data");
+    }
+    if !fit.has_converged || possible.is_some_and(|possible| !possible.has_converged) {
         return Ok(status::STOPPED);
     }
     Ok(if fit.untold.is_empty() { 0 } else { status::NO })
@@ -83,6 +92,18 @@ fn check_options(request: &Request, is_of_scene: bool) -> Result<(), Failure> {
         let what =
             format!("`{name}` belongs to the fit of {other}, and `{}` is {own}", path_as_plain_text(&request.target));
         return Err(Failure::request(what, format!("leave `{name}` out, or give {other}")));
+    }
+    for (name, is_given) in [("--until", request.how.until.is_some()), ("--samples", request.how.samples.is_some())] {
+        if is_given {
+            let help = format!("leave `{name}` out: the table states the instants");
+            return Err(Failure::request(format!("`{name}` means nothing for a fit"), help));
+        }
+    }
+    if let Some(twice) =
+        request.data.iter().enumerate().find_map(|(at, path)| request.data[..at].contains(path).then_some(path))
+    {
+        let what = format!("`{}` is given twice", path_as_plain_text(twice));
+        return Err(Failure::request(what, "give each table once"));
     }
     if is_of_scene && request.unknowns.is_empty() {
         let help = "name parameters or numbers of the start, as in `--for m --for theta`";
@@ -124,11 +145,25 @@ fn fit_model(
     refuse_overwriting_inputs(&model, None, request.residuals.as_deref())?;
     let varied = if request.declared { RegressorParameters::Declared } else { RegressorParameters::Bodies };
     let found = identify(&model, varied)?;
-    let named = request.data.iter().zip(tables);
-    let experiments = named
-        .map(|(path, table)| motion_of_table(&model, &path_as_plain_text(path), table, request.filter))
-        .collect::<Result<Vec<_>, _>>()?;
-    let mut fit = fit_to_forces(&model, &found, &experiments, options)?;
+    let mut options = options.clone();
+    let mut experiments = Vec::new();
+    for (path, table) in request.data.iter().zip(tables) {
+        let name = path_as_plain_text(path);
+        let MotionTable { motions, rows_for_each_error, unused, has_inputs_and_forces, open } =
+            motion_of_table(&model, &name, table, request.filter)?;
+        options.rows_for_each_error = options.rows_for_each_error.max(rows_for_each_error);
+        experiments.push(motions);
+        if !unused.is_empty() {
+            warn(&format!("columns of `{name}` that are not used: {}", unused.join(", ")));
+        }
+        if has_inputs_and_forces {
+            warn(&format!("`{name}` has inputs and forces: the forces act beside the inputs"));
+        }
+        if open > OPEN {
+            warn(&format!("the coordinates of `{name}` leave a loop open by {}", with_reliable_digits(open, None)));
+        }
+    }
+    let mut fit = fit_to_forces(&model, &found, &experiments, &options)?;
     for (estimate, base) in fit.fit.estimates.iter_mut().zip(&found.base) {
         estimate.name = combination(&found, base);
     }
@@ -174,6 +209,7 @@ fn name_of_estimate(request: &Request, fit: &Fit, at: usize) -> String {
 /// Returns the result of a fit as text.
 fn text_of(request: &Request, fit: &Fit, unseen: Option<f64>, possible: Option<&PossibleInertia>) -> String {
     let mut out = String::new();
+    let is_of_scene = !request.unknowns.is_empty();
     for (at, estimate) in fit.estimates.iter().enumerate() {
         let name = name_of_estimate(request, fit, at);
         let value = with_reliable_digits(estimate.value, estimate.error.map(|error| error / 10.0));
@@ -184,7 +220,8 @@ fn text_of(request: &Request, fit: &Fit, unseen: Option<f64>, possible: Option<&
             None => write!(out, "{name} = {value}{unit}, not told by the data"),
         };
         if let Some(stated) = estimate.stated {
-            let _ = write!(out, "  (stated: {})", with_reliable_digits(stated, None));
+            let kind = if is_of_scene { "scene" } else { "model" };
+            let _ = write!(out, "  ({kind}: {})", with_reliable_digits(stated, None));
         }
         out.push('\n');
     }

@@ -66,6 +66,27 @@ pub fn make_folder(path: &Path) -> Result<(), Failure> {
     Ok(draft_file::create_folder(path)?)
 }
 
+/// Refuses an output path that would overwrite one of the given input files.
+///
+/// # Errors
+/// [`Failure::Refused`] that names the output and the input.
+pub fn refuse_overwriting_files(inputs: &[PathBuf], output: &Path) -> Result<(), Failure> {
+    match inputs.iter().find(|input| draft_would_change(output, input)) {
+        Some(input) => Err(overwriting_failure(output, input)),
+        None => Ok(()),
+    }
+}
+
+/// Failure of an output that would overwrite an input.
+fn overwriting_failure(output: &Path, input: &Path) -> Failure {
+    let what = format!(
+        "the output `{}` would overwrite the input `{}`",
+        path_as_plain_text(output),
+        path_as_plain_text(input)
+    );
+    Failure::request(what, "give another file".to_owned())
+}
+
 /// Refuses output paths that would overwrite an input: the model, the publication in the model's folder, or the scene.
 ///
 /// # Errors
@@ -79,14 +100,7 @@ pub fn refuse_overwriting_inputs<'a>(
     let scene = scene.map(|scene| scene.source.path.clone());
     let inputs: Vec<PathBuf> = [model.source.path.clone(), publication].into_iter().chain(scene).collect();
     for output in outputs {
-        if let Some(input) = inputs.iter().find(|input| draft_would_change(output, input)) {
-            let what = format!(
-                "the output `{}` would overwrite the input `{}`",
-                path_as_plain_text(output),
-                path_as_plain_text(input)
-            );
-            return Err(Failure::request(what, "give another file".to_owned()));
-        }
+        refuse_overwriting_files(&inputs, output)?;
     }
     Ok(())
 }

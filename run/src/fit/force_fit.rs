@@ -6,13 +6,15 @@
 
 use super::uncertainty::{LinearSolution, solve_linear_least_squares};
 use super::{
-    Estimate, Fit, FitOptions, FittedQuantity, HUBER, check_given_names, noise_of_residuals, root_mean_square,
+    Estimate, Fit, FitOptions, FittedQuantity, HUBER, check_given_names, check_number_of_values, has_pattern,
+    noise_of_residuals, root_mean_square,
 };
 use crate::studies::identification::{base_parameter_values, regressor_tape};
 use crate::{Error, Mechanism};
 use nalgebra::{DMatrix, DVector};
 use tripos_derive::algebra::value::tape::{Numeric, Tape};
 use tripos_derive::identify::{BaseParameter, Identification};
+use tripos_derive::model::Parameter;
 use tripos_traits::{DoubleDouble, Real};
 
 /// Largest number of times that the noise of the forces is estimated anew.
@@ -137,6 +139,17 @@ pub fn fit_to_forces(
     check_given_names("measured force", options.noise.iter().map(|(name, _)| name), &names)?;
     let given = |speed: usize| options.noise.iter().find(|(name, _)| *name == names[speed]).map(|(_, noise)| *noise);
     let equations = ForceEquations::new(model, found, &found.base, &motions)?;
+    check_number_of_values(equations.side.len(), equations.matrix.ncols())?;
+    if equations.side.iter().all(|side| *side == 0.0) {
+        let help = "give columns for inputs, or for forces such as `force(u1)`";
+        return Err(Error::request("all measured forces are 0, which tells no parameter", help));
+    }
+    if !(equations.side.norm_squared().is_finite() && equations.matrix.norm_squared().is_finite()) {
+        let help = "look for measured values that are far off";
+        return Err(Error::request("the squares of the measured values are too large for numbers", help));
+    }
+    let stated = stated_base_parameters(model, found)?;
+    let guess = DVector::from_iterator(stated.len(), stated.iter().map(|value| value.unwrap_or(0.0)));
     let rows: Vec<usize> = (0..equations.side.len()).collect();
     let freedom = 1.0 - equations.matrix.ncols() as f64 / rows.len().max(1) as f64;
     let mut noise: Vec<f64> = (0..speeds)
@@ -146,7 +159,7 @@ pub fn fit_to_forces(
         })
         .collect();
     let mut weights: Vec<f64> = rows.iter().map(|row| 1.0 / noise[row % speeds]).collect();
-    let mut solution = solve_rows(&equations, &rows, &weights);
+    let mut solution = solve_rows(&equations, &rows, &weights, &guess);
     let mut residuals = equations.residuals(&solution.x);
     for _ in 0..ROUNDS {
         let mut change = 0.0_f64;
@@ -161,33 +174,44 @@ pub fn fit_to_forces(
             let trust = if options.is_robust && in_deviations > HUBER { HUBER / in_deviations } else { 1.0 };
             weights[*row] = trust.sqrt() / noise[row % speeds];
         }
-        solution = solve_rows(&equations, &rows, &weights);
+        solution = solve_rows(&equations, &rows, &weights, &guess);
         residuals = equations.residuals(&solution.x);
         if change <= SETTLED {
             break;
         }
     }
-    let unseen = unseen_residuals(&equations, motions.len(), &weights, &noise);
+    let unseen = unseen_residuals(&equations, motions.len(), (&weights, &noise), &guess);
     let sum_of_squares = residuals.iter().zip(&weights).map(|(residual, weight)| (residual * weight).powi(2)).sum();
-    let fit = fit_of_solution(model, found, experiments, &solution, (&residuals, &noise, &names))?;
+    let rows_for_each_error = options.rows_for_each_error.max(1.0);
+    for error in solution.uncertainty.errors.iter_mut().flatten() {
+        *error *= rows_for_each_error.sqrt();
+    }
+    let result =
+        ForceResult { residuals: &residuals, noise: &noise, names: &names, stated: &stated, rows_for_each_error };
+    let fit = fit_of_solution(found, experiments, &solution, &result);
     Ok(ForceFit { fit, unseen, weights, sum_of_squares })
 }
 
-/// Solves the given rows for the base parameters.
-fn solve_rows(equations: &ForceEquations, rows: &[usize], weights: &[f64]) -> LinearSolution {
+/// Solves the given rows for the base parameters. Combinations that the rows do not tell are near the guess.
+fn solve_rows(equations: &ForceEquations, rows: &[usize], weights: &[f64], guess: &DVector<f64>) -> LinearSolution {
     let (matrix, side) = equations.weighted(rows, weights);
-    solve_linear_least_squares(&matrix, &side, TINY)
+    solve_linear_least_squares(&matrix, &side, guess, TINY)
 }
 
 /// Root of the mean square of the residuals of instants that were left out, in standard deviations. `None` if the rest
 /// leaves a base parameter undetermined.
-fn unseen_residuals(equations: &ForceEquations, instants: usize, weights: &[f64], noise: &[f64]) -> Option<f64> {
+fn unseen_residuals(
+    equations: &ForceEquations,
+    instants: usize,
+    (weights, noise): (&[f64], &[f64]),
+    guess: &DVector<f64>,
+) -> Option<f64> {
     let speeds = equations.speeds;
     let part_of = |row: &usize| (row / speeds) * PARTS / instants.max(1);
     let mut list = Vec::new();
     for part in 0..PARTS.min(instants) {
         let (out, rest): (Vec<usize>, Vec<usize>) = (0..instants * speeds).partition(|row| part_of(row) == part);
-        let solution = solve_rows(equations, &rest, weights);
+        let solution = solve_rows(equations, &rest, weights, guess);
         if !solution.uncertainty.untold.is_empty() {
             return None;
         }
@@ -197,52 +221,67 @@ fn unseen_residuals(equations: &ForceEquations, instants: usize, weights: &[f64]
     Some(root_mean_square(&list))
 }
 
-/// Collects the result of a fit of base parameters. `left` has the residuals of all rows, and the noise and the name of
-/// each force.
+/// Values of the base parameters in the model, at the default values of its parameters. `None` for those without a
+/// value.
 ///
 /// # Errors
 /// [`Error::Request`] if a formula of a base parameter contains a symbol without a value.
+fn stated_base_parameters(model: &Mechanism, found: &Identification) -> Result<Vec<Option<f64>>, Error> {
+    let value = |p: &Parameter| match &p.value {
+        Some(value) => Some(DoubleDouble::from_rational(value)),
+        None => p.is_input.then(|| DoubleDouble::from(0.0)),
+    };
+    let Some(defaults) = model.parameters.iter().map(value).collect::<Option<Vec<DoubleDouble>>>() else {
+        return Ok(vec![None; found.base.len()]);
+    };
+    let values = base_parameter_values(model, found, &defaults)?;
+    Ok(values.into_iter().map(|value| value.map(Real::to_f64)).collect())
+}
+
+/// Parts of the result of a fit of base parameters.
+struct ForceResult<'a> {
+    /// Residuals of all rows: the measured force less the force of the base parameters.
+    residuals: &'a DVector<f64>,
+    /// Standard deviation of the force along each speed.
+    noise: &'a [f64],
+    /// Name of the force along each speed.
+    names: &'a [String],
+    /// Values of the base parameters in the model.
+    stated: &'a [Option<f64>],
+    /// Number of neighbouring rows that share an error.
+    rows_for_each_error: f64,
+}
+
+/// Collects the result of a fit of base parameters.
 fn fit_of_solution(
-    model: &Mechanism,
     found: &Identification,
     experiments: &[Vec<MeasuredMotion>],
     solution: &LinearSolution,
-    left: (&DVector<f64>, &[f64], &[String]),
-) -> Result<Fit, Error> {
-    let (residuals, noise, names) = left;
+    result: &ForceResult<'_>,
+) -> Fit {
+    let ForceResult { residuals, noise, names, stated, rows_for_each_error } = *result;
     let speeds = names.len();
-    let defaults: Option<Vec<DoubleDouble>> = model
-        .parameters
-        .iter()
-        .map(|p| match &p.value {
-            Some(value) => Some(DoubleDouble::from_rational(value)),
-            None => p.is_input.then(|| DoubleDouble::from(0.0)),
-        })
-        .collect();
-    let stated = match defaults {
-        Some(defaults) => base_parameter_values(model, found, &defaults)?,
-        None => vec![None; found.base.len()],
-    };
     let estimates = found.base.iter().enumerate().map(|(at, base)| Estimate {
         name: found.regressor.columns[base.column].name.clone(),
         experiment: None,
         unit: found.regressor.columns[base.column].unit.to_string(),
         value: solution.x[at],
         error: solution.uncertainty.errors[at],
-        stated: stated[at].map(Real::to_f64),
+        stated: stated[at],
         is_at_bound: false,
     });
     let mut quantities = Vec::new();
     let mut first = 0;
     for (experiment, motions) in experiments.iter().enumerate() {
         for (speed, name) in names.iter().enumerate() {
+            let own: Vec<f64> = (0..motions.len()).map(|at| residuals[(first + at) * speeds + speed]).collect();
             quantities.push(FittedQuantity {
                 name: name.clone(),
                 experiment,
                 instants: motions.iter().filter_map(|moving| moving.t).collect(),
-                residuals: (0..motions.len()).map(|at| residuals[(first + at) * speeds + speed]).collect(),
                 noise: noise[speed],
-                is_unexplained: false,
+                has_pattern: rows_for_each_error <= 1.0 && has_pattern(&own),
+                residuals: own,
             });
         }
         first += motions.len();
@@ -250,12 +289,12 @@ fn fit_of_solution(
     let untold = solution.uncertainty.untold.iter().map(|direction| {
         direction.iter().enumerate().filter(|(_, rate)| **rate != 0.0).map(|(at, rate)| (at, *rate)).collect()
     });
-    Ok(Fit {
+    Fit {
         estimates: estimates.collect(),
         quantities,
         correlations: solution.uncertainty.correlations.clone(),
         untold: untold.collect(),
         steps: 0,
         has_converged: true,
-    })
+    }
 }

@@ -11,14 +11,15 @@ use nalgebra::{DMatrix, DVector};
 use std::ops::RangeInclusive;
 use tripos_linear::SingularValues;
 
-/// Largest number of steps.
-const STEPS: usize = 200;
 /// Relative change of the sum of squares, and of the scaled unknowns, below which the search ends.
 const CLOSE: f64 = 1e-10;
 /// Damping at the first step, relative to the scaled squares of the columns.
 const DAMPING: f64 = 1e-3;
 /// Damping above which no step lowers the sum of squares.
 const MOST_DAMPING: f64 = 1e16;
+
+/// Residuals with their Jacobian, which has a row for each residual and a column for each unknown.
+pub type WithJacobian = (DVector<f64>, DMatrix<f64>);
 
 /// Residuals as functions of the unknowns, with their Jacobian.
 pub trait Residuals {
@@ -28,11 +29,11 @@ pub trait Residuals {
     /// [`Error`] if the search has to end, such as for an interruption.
     fn residuals(&mut self, x: &[f64]) -> Result<Option<DVector<f64>>, Error>;
 
-    /// Residuals and their Jacobian at the given unknowns, with a row for each residual and a column for each unknown.
+    /// Residuals and their Jacobian at the given unknowns.
     ///
     /// # Errors
     /// [`Error`] if there are no residuals or no derivatives.
-    fn with_jacobian(&mut self, x: &[f64]) -> Result<(DVector<f64>, DMatrix<f64>), Error>;
+    fn with_jacobian(&mut self, x: &[f64]) -> Result<WithJacobian, Error>;
 }
 
 /// Unknowns that minimize the sum of squares of residuals.
@@ -47,22 +48,27 @@ pub struct Minimum {
     pub has_converged: bool,
 }
 
-/// Minimizes the sum of squares of residuals, from a start within the bounds.
+/// Minimizes the sum of squares of residuals, from a start within the bounds, in at most `most_steps` steps.
 ///
 /// # Errors
-/// [`Error`] if the residuals do not exist at the start, or if the search has to end.
+/// [`Error`] if the residuals do not exist at the start or their sum of squares overflows, or if the search has to end.
 pub fn minimize(
     residuals: &mut dyn Residuals,
     start: &[f64],
     bounds: &[RangeInclusive<f64>],
+    most_steps: usize,
 ) -> Result<Minimum, Error> {
     let within = |x: f64, at: usize| x.clamp(*bounds[at].start(), *bounds[at].end());
     let mut x: Vec<f64> = start.iter().enumerate().map(|(at, x)| within(*x, at)).collect();
     let (mut r, mut j) = residuals.with_jacobian(&x)?;
+    if !(r.norm_squared().is_finite() && j.norm_squared().is_finite()) {
+        let help = "look for measured values that are far off, and for standard deviations that are too small";
+        return Err(Error::request("the sum of the squares of the residuals is too large for a number", help));
+    }
     let mut scale: Vec<f64> = vec![0.0; x.len()];
     let (mut damping, mut growth, mut steps) = (DAMPING, 2.0, 0);
     let mut has_converged = x.is_empty();
-    for _ in 0..STEPS {
+    for _ in 0..most_steps {
         if has_converged {
             break;
         }
@@ -92,21 +98,38 @@ pub fn minimize(
         let found = residuals.residuals(&next)?;
         let found = found.filter(|found| found.iter().all(|x| x.is_finite()));
         let lowered = found.as_ref().map_or(f64::NEG_INFINITY, |found| cost - found.norm_squared());
-        if lowered > 0.0 && lowered >= 1e-4 * predicted {
-            has_converged = is_small || lowered <= CLOSE * cost;
+        let is_lower = lowered > 0.0 && lowered >= 1e-4 * predicted;
+        // A step without derivatives at its end counts as too long.
+        let there = if is_lower { derivatives_at(residuals, &next)? } else { None };
+        // Short steps and small gains tell the end of the search only if damping does not cause them.
+        let is_undamped = damping <= DAMPING;
+        if let Some(there) = there {
+            has_converged = is_undamped && (is_small || lowered <= CLOSE * cost);
             x = next;
-            (r, j) = residuals.with_jacobian(&x)?;
+            (r, j) = there;
             steps += 1;
             let ratio = if predicted > 0.0 { lowered / predicted } else { 1.0 };
             damping *= (1.0 - (2.0 * ratio - 1.0).powi(3)).max(1.0 / 3.0);
             growth = 2.0;
         } else {
-            has_converged = is_small || damping > MOST_DAMPING;
+            has_converged = is_undamped && is_small || damping > MOST_DAMPING;
             damping *= growth;
             growth *= 2.0;
         }
     }
     Ok(Minimum { x, jacobian: j, steps, has_converged })
+}
+
+/// Residuals with their Jacobian. `None` if they have no finite values or no derivatives.
+///
+/// # Errors
+/// [`Error::Interrupted`] if the search is interrupted.
+fn derivatives_at(residuals: &mut dyn Residuals, x: &[f64]) -> Result<Option<WithJacobian>, Error> {
+    match residuals.with_jacobian(x) {
+        Ok((r, j)) => Ok((r.norm_squared().is_finite() && j.norm_squared().is_finite()).then_some((r, j))),
+        Err(Error::Interrupted) => Err(Error::Interrupted),
+        Err(_) => Ok(None),
+    }
 }
 
 /// Step δ of the free unknowns that minimizes |r + J δ|² + λ |D δ|² with the damping λ and the scales D. Other unknowns

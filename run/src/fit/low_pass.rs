@@ -30,6 +30,13 @@ impl LowPass {
         })
     }
 
+    /// Number of neighbouring samples of filtered white noise that share an error, at least 1. The noise bandwidth of
+    /// both passes is 3 π/(8 √2) of the cut-off frequency.
+    pub fn rows_for_each_error(cut_off: f64, distance: f64) -> f64 {
+        let bandwidth = 3.0 * PI / (8.0 * SQRT_2) * cut_off;
+        (1.0 / (2.0 * bandwidth * distance)).max(1.0)
+    }
+
     /// Filters a signal forwards and backwards. The signal is continued beyond its ends by point reflection.
     pub fn filter(&self, signal: &[f64]) -> Vec<f64> {
         let Some((first, last)) = signal.first().zip(signal.last()) else { return Vec::new() };

@@ -71,9 +71,9 @@ pub struct FittedQuantity {
     /// Standard deviation of the measured values, in the unit of the quantity: the given one, or the one that the
     /// residuals show.
     pub noise: f64,
-    /// True if the residuals are larger than half of the spread of the measured values, so that the model explains
-    /// little of them.
-    pub is_unexplained: bool,
+    /// True if neighbouring residuals are alike, so that the model lacks something, or the search ended at a wrong
+    /// minimum. Standard errors are then too small.
+    pub has_pattern: bool,
 }
 
 impl FittedQuantity {
@@ -91,6 +91,10 @@ pub struct FitOptions {
     pub is_robust: bool,
     /// Names of measured quantities with their known standard deviations. The others are estimated from the residuals.
     pub noise: Vec<(String, f64)>,
+    /// Number of neighbouring rows that share an error, such as after a low-pass filter
+    /// ([`motion_tables::MotionTable::rows_for_each_error`]). Numbers below 1 count as 1. Standard errors grow with its
+    /// root.
+    pub rows_for_each_error: f64,
 }
 
 /// Unknown of a fit.
@@ -115,6 +119,31 @@ fn huber_residual(r: f64) -> (f64, f64) {
     }
     let root = (2.0 * HUBER * r.abs() - HUBER * HUBER).sqrt();
     (root.copysign(r), HUBER / root)
+}
+
+/// Correlation of neighbouring residuals above which they have a pattern, and the number of standard deviations that it
+/// has to exceed.
+const ALIKE: (f64, f64) = (0.3, 4.0);
+
+/// True if neighbouring residuals are alike. Independent errors have a correlation of standard deviation 1/√n.
+fn has_pattern(residuals: &[f64]) -> bool {
+    let mean = residuals.iter().sum::<f64>() / residuals.len().max(1) as f64;
+    let square: f64 = residuals.iter().map(|x| (x - mean).powi(2)).sum();
+    let products: f64 = residuals.windows(2).map(|pair| (pair[0] - mean) * (pair[1] - mean)).sum();
+    let least = ALIKE.0.max(ALIKE.1 / (residuals.len().max(1) as f64).sqrt());
+    square > 0.0 && products / square > least
+}
+
+/// Checks that there are more measured values than unknowns.
+///
+/// # Errors
+/// [`Error::Request`] if there are not.
+fn check_number_of_values(values: usize, unknowns: usize) -> Result<(), Error> {
+    if values > unknowns {
+        return Ok(());
+    }
+    let what = format!("there are {values} measured values for {unknowns} unknowns");
+    Err(Error::request(what, "give more rows than unknowns, or find fewer unknowns"))
 }
 
 /// Root of the mean square of numbers; 0 if there are none.

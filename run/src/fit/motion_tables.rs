@@ -10,12 +10,26 @@ use crate::code::compile_tape;
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::plain_text::with_reliable_digits;
-use tripos_derive::scene::MeasuredTable;
+use tripos_derive::scene::{Loops, MeasuredTable};
 
-/// Relative difference of two distances of instants up to which the instants count as even.
-const EVEN: f64 = 1e-6;
+/// Part of the distance of two instants by which an instant may be off, as in tables whose instants are rounded.
+const EVEN: f64 = 0.05;
 /// Number of samples at each end that are left out after differences, of which the ends are less accurate.
 const END: usize = 4;
+
+/// Measured motion of a table.
+pub struct MotionTable {
+    /// Measured motion at each instant.
+    pub motions: Vec<MeasuredMotion>,
+    /// Number of neighbouring rows that share an error: above 1 after a low-pass filter.
+    pub rows_for_each_error: f64,
+    /// Names of the columns that are not used.
+    pub unused: Vec<String>,
+    /// True if the table has both inputs and forces. Forces act beside the inputs.
+    pub has_inputs_and_forces: bool,
+    /// Largest residual of a loop of the model at the measured coordinates, in the unit of the loop.
+    pub open: f64,
+}
 
 /// Columns of a table, filtered if a cut-off frequency is given.
 struct Columns<'a> {
@@ -49,12 +63,12 @@ pub fn motion_of_table(
     name: &str,
     table: &MeasuredTable,
     cut_off: Option<f64>,
-) -> Result<Vec<MeasuredMotion>, Error> {
+) -> Result<MotionTable, Error> {
     let rows = table.rows();
     let speeds: Vec<String> = model.speeds.iter().map(|speed| speed.name.clone()).collect();
-    let rates: Vec<String> = speeds.iter().map(|speed| format!("{speed}'")).collect();
+    let rate_names: Vec<String> = speeds.iter().map(|speed| format!("{speed}'")).collect();
     let has = |names: &[String]| names.iter().all(|name| table.has(name));
-    let (has_speeds, has_rates) = (has(&speeds), has(&rates));
+    let (has_speeds, has_rates) = (has(&speeds), has(&rate_names));
     let instants = if table.has("t") { Some(table.instants()?) } else { None };
     let is_differentiated = !(has_speeds && has_rates);
     let needs_even = is_differentiated || cut_off.is_some();
@@ -97,7 +111,7 @@ pub fn motion_of_table(
     };
     let rates = match (has_rates, distance) {
         (false, Some(distance)) => u.iter().map(|values| central_differences(values, distance)).collect(),
-        _ => rates.iter().map(|name| columns.get(name)).collect::<Result<Vec<_>, _>>()?,
+        _ => rate_names.iter().map(|name| columns.get(name)).collect::<Result<Vec<_>, _>>()?,
     };
     let end = if is_differentiated { END } else { 0 };
     if rows <= 2 * end {
@@ -112,7 +126,32 @@ pub fn motion_of_table(
         rates: at(&rates, row),
         forces: at(&forces, row),
     };
-    Ok((end..rows - end).map(row).collect())
+    let motions: Vec<MeasuredMotion> = (end..rows - end).map(row).collect();
+    let loops = Loops::new(model);
+    let open = motions.iter().fold(0.0_f64, |most, moving| {
+        loops.openings(&moving.p, &moving.q).iter().fold(most, |most, (_, residual)| most.max(residual.abs()))
+    });
+    let rows_for_each_error = match (cut_off, distance) {
+        (Some(cut_off), Some(distance)) => LowPass::rows_for_each_error(cut_off, distance),
+        _ => 1.0,
+    };
+    let inputs: Vec<String> = model.parameters.iter().filter(|p| p.is_input).map(|p| p.name.clone()).collect();
+    let heads: Vec<String> = speeds.iter().map(|speed| format!("force({speed})")).collect();
+    let of_coordinates: Vec<String> = model.coordinates.iter().map(|c| c.name.clone()).collect();
+    let mut used = [of_coordinates, inputs.clone(), heads.clone(), vec!["t".to_owned()]].concat();
+    if has_speeds {
+        used.extend(speeds);
+    }
+    if has_rates {
+        used.extend(rate_names);
+    }
+    Ok(MotionTable {
+        motions,
+        rows_for_each_error,
+        unused: table.names.iter().filter(|name| !used.contains(name)).cloned().collect(),
+        has_inputs_and_forces: [&inputs, &heads].iter().all(|list| list.iter().any(|name| table.has(name))),
+        open,
+    })
 }
 
 /// Distance of evenly spaced instants, s.
@@ -125,8 +164,7 @@ fn even_distance(name: &str, instants: Option<&[f64]>) -> Result<f64, Error> {
         return Err(Error::request(format!("`{name}` has no instants by which to differentiate or filter"), help));
     };
     let distance = (t[t.len() - 1] - t[0]) / (t.len() - 1) as f64;
-    let is_even =
-        |(at, t_at): (usize, &f64)| (t_at - (t[0] + distance * at as f64)).abs() <= EVEN * distance.max(t_at.abs());
+    let is_even = |(at, t_at): (usize, &f64)| (t_at - (t[0] + distance * at as f64)).abs() <= EVEN * distance;
     if t.iter().enumerate().all(is_even) {
         return Ok(distance);
     }

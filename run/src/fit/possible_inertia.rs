@@ -10,7 +10,7 @@
 //! Combinations that the data do not tell stay near the values of the model.
 
 use super::force_fit::{ForceEquations, ForceFit, MeasuredMotion};
-use super::levenberg_marquardt::{Residuals, minimize};
+use super::levenberg_marquardt::{Residuals, WithJacobian, minimize};
 use crate::{Error, Mechanism};
 use nalgebra::{DMatrix, DVector, Matrix4};
 use tripos_derive::algebra::value::tape::Tape;
@@ -20,6 +20,11 @@ use tripos_derive::mechanics::{ColumnParameter, InertialParameter};
 /// Weight of a relative change of a parameter from its value in the model, in standard deviations. The data outweigh it
 /// for every combination that they tell to better than this number of its size.
 const TOWARDS_MODEL: f64 = 1e-3;
+/// Part of the square of a body's length that is added to its second moments at the start of the search. A flat body
+/// lies on the boundary of the possible ones, where the search would not move.
+const THICKER: f64 = 0.05;
+/// Largest number of steps of the search.
+const STEPS: usize = 5000;
 /// Number of unknowns of the pseudo-inertia of a rigid body.
 const UNKNOWNS: usize = 10;
 
@@ -90,7 +95,7 @@ pub fn possible_inertia(
     let mut residuals = PossibleResiduals { parts: parts_of_columns(found), triangle, side, sizes: Vec::new(), stated };
     let start = residuals.start();
     let bounds = vec![f64::NEG_INFINITY..=f64::INFINITY; start.len()];
-    let minimum = minimize(&mut residuals, &start, &bounds)?;
+    let minimum = minimize(&mut residuals, &start, &bounds, STEPS)?;
     let values = residuals.parameters(&minimum.x).0;
     let left = (&residuals.triangle * &values - &residuals.side).norm_squared() + beyond;
     let named = found.regressor.columns.iter().zip(values.iter());
@@ -176,8 +181,7 @@ fn stated_pseudo_inertia(list: &[(usize, InertialParameter)], stated: &[f64]) ->
 }
 
 impl PossibleResiduals {
-    /// Unknowns of the stated parameters, and the sizes of all parameters. A stated body that no real body can be, such
-    /// as a flat one, is thickened a little.
+    /// Unknowns near the stated parameters, and the sizes of all parameters. Each body is thickened a little.
     fn start(&mut self) -> Vec<f64> {
         self.sizes = self.stated.iter().map(|value| if *value == 0.0 { 1.0 } else { value.abs() }).collect();
         let mut x = Vec::new();
@@ -199,16 +203,17 @@ impl PossibleResiduals {
                                 InertialParameter::Inertia(..) | InertialParameter::SecondMoment(_) => square,
                             };
                     }
-                    let mut thicker = 1e-9;
+                    // Far from the boundary, where the search moves freely.
+                    let mut thicker = THICKER;
                     let l = loop {
-                        if let Some(cholesky) = pseudo.cholesky() {
-                            break cholesky.l();
-                        }
                         for i in 0..3 {
                             pseudo[(i, i)] += thicker * mass * square;
                         }
+                        if let Some(cholesky) = pseudo.cholesky() {
+                            break cholesky.l();
+                        }
                         pseudo[(3, 3)] += thicker * mass;
-                        thicker *= 10.0;
+                        thicker *= 2.0;
                     };
                     x.extend(PLACES.iter().map(|(i, j)| if i == j { l[(*i, *j)].ln() } else { l[(*i, *j)] }));
                 }
@@ -272,7 +277,7 @@ impl Residuals for PossibleResiduals {
         Ok(Some(self.of_values(&self.parameters(x).0)))
     }
 
-    fn with_jacobian(&mut self, x: &[f64]) -> Result<(DVector<f64>, DMatrix<f64>), Error> {
+    fn with_jacobian(&mut self, x: &[f64]) -> Result<WithJacobian, Error> {
         let (values, slopes) = self.parameters(x);
         let forces = &self.triangle * &slopes;
         let (above, unknowns) = (forces.nrows(), slopes.ncols());

@@ -1,9 +1,10 @@
 //! Parameters and starts for which runs of scenes come nearest to measured motions.
 
-use super::levenberg_marquardt::{Minimum, Residuals, minimize};
+use super::levenberg_marquardt::{Minimum, Residuals, WithJacobian, minimize};
 use super::uncertainty::uncertainty_of_jacobian;
 use super::{
-    Estimate, Fit, FitOptions, FittedQuantity, Unknown, check_given_names, huber_residual, noise_of_residuals,
+    Estimate, Fit, FitOptions, FittedQuantity, Unknown, check_given_names, check_number_of_values, has_pattern,
+    huber_residual, noise_of_residuals,
 };
 use crate::equations_name::{EquationsName, find_equations_or_first};
 use crate::{DerivativeInstants, Error, Overrides, Run, Scene};
@@ -12,6 +13,8 @@ use std::ops::RangeInclusive;
 use tripos_derive::model::TIME;
 use tripos_derive::scene::MeasuredTable;
 
+/// Largest number of steps of a search. Each step is a run with derivatives.
+const STEPS: usize = 200;
 /// Largest number of times that the noise of the measured quantities is estimated anew.
 const ROUNDS: usize = 6;
 /// Relative change of all noises below which they count as settled.
@@ -24,8 +27,6 @@ const INSTANTS_FOR_EACH: usize = 4;
 /// Weight of a relative change of an unknown in such a part, in spreads of the measured values. Short parts do not tell
 /// every unknown.
 const TOWARDS_GUESS: f64 = 0.3;
-/// Share of the spread of a measured quantity above which its residuals show no fit.
-const UNEXPLAINED: f64 = 0.5;
 /// Fraction of the largest effect of an unknown below which a combination of unknowns counts as untold.
 const TINY: f64 = 1e-7;
 
@@ -42,6 +43,8 @@ pub struct Experiment {
 
 /// Experiment that is ready for runs.
 struct PreparedExperiment {
+    /// Name of the experiment, such as that of its file.
+    name: String,
     /// Scene that shows the measured quantities at the measured instants.
     scene: Scene,
     /// Measured instants, s.
@@ -141,8 +144,11 @@ pub fn fit_to_runs(
         how,
     };
     let bounds: Vec<_> = columns.iter().map(|column| unknowns[column.unknown].bounds.clone()).collect();
+    let values = prepared.iter().map(|experiment| experiment.names.len() * experiment.instants.len()).sum::<usize>();
+    check_number_of_values(values + residuals.prior_residuals(&start).len(), columns.len())?;
     let (near, mut steps) = fit_growing_parts(&mut residuals, &start, &bounds)?;
-    let mut found = minimize(&mut residuals, &near, &bounds)?;
+    let near = better_start(&mut residuals, &start, near)?;
+    let mut found = minimize(&mut residuals, &near, &bounds, STEPS)?;
     steps += found.steps;
     for _ in 0..ROUNDS {
         let left = residuals.unscaled(&found)?;
@@ -162,7 +168,7 @@ pub fn fit_to_runs(
             break;
         }
         residuals.is_robust = options.is_robust;
-        found = minimize(&mut residuals, &found.x, &bounds)?;
+        found = minimize(&mut residuals, &found.x, &bounds, STEPS)?;
         steps += found.steps;
     }
     let left = residuals.unscaled(&found)?;
@@ -187,13 +193,25 @@ fn fit_growing_parts(
         }
         residuals.part = part;
         residuals.guess.clone_from(&x);
-        let found = minimize(residuals, &x, bounds)?;
+        let found = minimize(residuals, &x, bounds, STEPS)?;
         x = found.x;
         steps += found.steps;
     }
     residuals.part = 1.0;
     residuals.guess.clear();
     Ok((x, steps))
+}
+
+/// Returns the given start or the result of the growing parts: the one with the smaller residuals at all instants.
+///
+/// # Errors
+/// [`Error`] if the search has to end.
+fn better_start(residuals: &mut RunResiduals<'_>, start: &[f64], near: Vec<f64>) -> Result<Vec<f64>, Error> {
+    let mut cost = |x: &[f64]| {
+        let found = residuals.residuals(x)?;
+        Ok::<f64, Error>(found.map_or(f64::INFINITY, |found| found.norm_squared()))
+    };
+    Ok(if cost(start)? <= cost(&near)? { start.to_vec() } else { near })
 }
 
 /// Number of instants in a part of `count` instants.
@@ -234,7 +252,7 @@ fn prepare_experiment(experiment: Experiment) -> Result<PreparedExperiment, Erro
         }
     }
     let scene = scene.with_outputs_at(&names, &instants)?;
-    Ok(PreparedExperiment { scene, instants, names, values })
+    Ok(PreparedExperiment { name, scene, instants, names, values })
 }
 
 /// Spread of measured values, by which a quantity is scaled before its noise is known: the standard deviation, or the
@@ -349,7 +367,7 @@ impl Residuals for RunResiduals<'_> {
         Ok(Some(DVector::from_vec(self.joined(&all, x))))
     }
 
-    fn with_jacobian(&mut self, x: &[f64]) -> Result<(DVector<f64>, DMatrix<f64>), Error> {
+    fn with_jacobian(&mut self, x: &[f64]) -> Result<WithJacobian, Error> {
         let mut all = Vec::new();
         let mut rows: Vec<Vec<f64>> = Vec::new();
         for experiment in 0..self.experiments.len() {
@@ -362,8 +380,9 @@ impl Residuals for RunResiduals<'_> {
             let found = scene.sensitivities(&names, DerivativeInstants::Samples, &self.how(experiment))?;
             let of = &self.experiments[experiment];
             let Some(differences) = self.differences(experiment, &found.run)? else {
-                let what = format!("a run has no value at every measured instant: {}", found.run.ending);
-                return Err(Error::request(what, "start the search nearer to the measured motion"));
+                let what = format!("the run of `{}` does not give every measured value: {}", of.name, found.run.ending);
+                let help = "leave later rows out, or start the search nearer to the measured motion";
+                return Err(Error::request(what, help));
             };
             for (at, name) in of.names.iter().enumerate() {
                 let shown = found.names.iter().position(|known| known == name);
@@ -440,7 +459,7 @@ fn fit_of_minimum(
                 name: name.clone(),
                 experiment,
                 instants: of.instants.clone(),
-                is_unexplained: super::root_mean_square(&left) > UNEXPLAINED * spread_of_values(&of.values[at]),
+                has_pattern: has_pattern(&left),
                 residuals: left,
                 noise: residuals.noise[experiment][at],
             });

@@ -13,13 +13,13 @@ pub struct Uncertainty {
     /// Correlation of each pair of unknowns, from −1 to 1; 0 for undetermined unknowns.
     pub correlations: Vec<Vec<f64>>,
     /// Directions in which the unknowns can move without a change of any residual: in each, a rate for each unknown,
-    /// with 1 as the largest relative to the size of the unknown.
+    /// the largest of size 1.
     pub untold: Vec<Vec<f64>>,
 }
 
 /// Solution of linear least squares, with its uncertainty.
 pub struct LinearSolution {
-    /// Unknowns that minimize the sum of squares. Along untold directions they are shortest in scaled unknowns.
+    /// Unknowns that minimize the sum of squares. Along untold directions they are nearest to the guess.
     pub x: DVector<f64>,
     /// Uncertainty of the unknowns, if the residuals have the standard deviation 1.
     pub uncertainty: Uncertainty,
@@ -78,6 +78,10 @@ impl ScaledColumns {
         reduce_rows(&mut untold);
         for direction in &mut untold {
             direction.iter_mut().zip(sizes).for_each(|(x, size)| *x *= size);
+            let most = direction.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+            for x in direction.iter_mut() {
+                *x /= most.max(f64::MIN_POSITIVE);
+            }
         }
         let deviation: Vec<f64> = (0..n).map(|i| covariance[(i, i)].sqrt()).collect();
         let correlation = |i: usize, j: usize| {
@@ -132,13 +136,18 @@ pub fn uncertainty_of_jacobian(jacobian: &DMatrix<f64>, sizes: &[f64], tiny: f64
 }
 
 /// Minimizes |A x − b| for residuals of standard deviation 1. Directions whose effect is below the fraction `tiny` of
-/// the largest one count as untold.
-pub fn solve_linear_least_squares(a: &DMatrix<f64>, b: &DVector<f64>, tiny: f64) -> LinearSolution {
-    let (triangle, side) = triangle(a.clone(), b.clone());
+/// the largest one count as untold. Along these, x is nearest to `guess`.
+pub fn solve_linear_least_squares(
+    a: &DMatrix<f64>,
+    b: &DVector<f64>,
+    guess: &DVector<f64>,
+    tiny: f64,
+) -> LinearSolution {
+    let (triangle, side) = triangle(a.clone(), b - a * guess);
     let scaled = ScaledColumns::new(&triangle, tiny);
     let mut x = scaled.parts.solve(&side, scaled.least);
-    for (x, scale) in x.iter_mut().zip(&scaled.scale) {
-        *x /= scale;
+    for ((x, scale), guess) in x.iter_mut().zip(&scaled.scale).zip(guess.iter()) {
+        *x = guess + *x / scale;
     }
     let sizes: Vec<f64> = scaled.scale.iter().map(|scale| 1.0 / scale).collect();
     LinearSolution { x, uncertainty: scaled.uncertainty(&sizes) }

@@ -40,6 +40,11 @@ impl MeasuredTable {
             let message = format!("two columns have the name `{twice}`");
             return Err(wrong(0..0, message, "give each column a name of its own"));
         }
+        if names.len() == 1 && names[0].contains([';', '\t']) {
+            let head = 0..source.text.find(['\r', '\n']).unwrap_or(source.text.len());
+            let message = "the columns are not separated by commas".to_owned();
+            return Err(wrong(head, message, "separate the names and the numbers by commas"));
+        }
         let rows = reader.records().take(MOST_ROWS + 1).collect::<Result<Vec<_>, _>>().map_err(no_table)?;
         if rows.is_empty() {
             return Err(wrong(0..0, "the table has no rows".to_owned(), "give a row for each instant"));
