@@ -24,6 +24,7 @@ fn compare(model: &Model, base: &BaseEquations, states: usize, random: &mut Rand
     let formulas = Tape::<f64>::new(&base.derivation.arena, &model.p(), &formulas).unwrap();
     let plain = system(&kane.arena, model, &kane.equations);
     let short = system(&base.derivation.arena, &base.model, &base.derivation.equations);
+    let mut finite = 0;
     for _ in 0..states {
         let mut list =
             |count: usize, low: f64, high: f64| -> Vec<f64> { (0..count).map(|_| random.between(low, high)).collect() };
@@ -32,11 +33,13 @@ fn compare(model: &Model, base: &BaseEquations, states: usize, random: &mut Rand
         let plain = plain.evaluate(&[own.clone(), state.clone()].concat());
         let short = short.evaluate(&[own.clone(), formulas.evaluate(&own), state].concat());
         let size = plain.iter().filter(|x| x.is_finite()).fold(1.0_f64, |most, x| most.max(x.abs()));
+        finite += usize::from(plain.iter().all(|x| x.is_finite()));
         for (at, (plain, short)) in plain.iter().zip(&short).enumerate() {
             let is_same = (plain - short).abs() <= 1e-9 * size || !plain.is_finite();
             assert!(is_same, "{what}: entry {at} is {short}, not {plain}");
         }
     }
+    assert!(2 * finite >= states, "{what}: {finite} of {states} states have values");
 }
 
 /// Goal: equations in base parameters are those of the model, whatever the mechanism is. Method: M and f of both in

@@ -152,8 +152,7 @@ impl ModulePlan {
         let values =
             base_parameters.iter().map(|base| (format!("{}_value", name(base.symbol)), name(base.symbol), base.value));
         let values: Vec<Value> = values.collect();
-        let about =
-            "Base parameters from the parameters of the model: the last entries of p, which all other functions read.";
+        let about = "Base parameters from the parameters of the model: the values of the last entries of p.";
         let function =
             planner.plan_function(Self::BASE_PARAMETERS, about, Arguments::Parameters, Returns::Vector, &values);
         self.functions.push(function);

@@ -75,26 +75,15 @@ impl Anchor {
     }
 
     /// Inertial parameters of the body with second moments instead of moments of inertia, those first that base
-    /// parameters should keep. A revolute joint leaves the second moments across its axis identifiable.
+    /// parameters should keep. A revolute joint leaves the second moments across its axis identifiable, and so they
+    /// come first.
     #[must_use]
     pub fn parameters_with_second_moments(&self) -> Vec<InertialParameter> {
-        if self.turns.is_none() {
-            return vec![InertialParameter::Mass];
-        }
-        let k = self.axis;
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        vec![
-            InertialParameter::SecondMoment(i),
-            InertialParameter::SecondMoment(j),
-            InertialParameter::Inertia(i, j),
-            InertialParameter::Inertia(i, k),
-            InertialParameter::Inertia(j, k),
-            InertialParameter::FirstMoment(i),
-            InertialParameter::FirstMoment(j),
-            InertialParameter::FirstMoment(k),
-            InertialParameter::SecondMoment(k),
-            InertialParameter::Mass,
-        ]
+        let second = |parameter| match parameter {
+            InertialParameter::Inertia(i, j) if i == j => InertialParameter::SecondMoment((i + 1) % 3),
+            other => other,
+        };
+        self.parameters().into_iter().map(second).collect()
     }
 }
 
