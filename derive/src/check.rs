@@ -20,8 +20,9 @@ pub use rank_loss::RankLoss;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::antiderivative::antiderivative;
 use crate::algebra::term::calculus::Gradient;
+use crate::algebra::term::steps::Definition;
 use crate::algebra::text::definitions::definitions_shown;
-use crate::algebra::text::print::{print_text, print_whole_text};
+use crate::algebra::text::print::{print_text, print_whole_text, printed_length};
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Vector, apply_tensor};
@@ -161,10 +162,9 @@ pub fn check(model: &Model) -> Result<ModelCheck, DeriveError> {
         Ok(mut derivation) => {
             derivation.write_names();
             let Derivation { arena, equations } = &derivation;
-            if let Some(note) = check_note_on_power(model, arena, equations.power) {
+            if let Some((note, named)) = check_note_on_power(model, arena, equations.power) {
                 notes.push(note);
-                let named = definitions_shown(arena, &[equations.power]).into_iter();
-                names.extend(named.map(|d| (print_text(arena, d.symbol), print_whole_text(arena, d.value))));
+                names.extend(named.iter().map(|d| (print_text(arena, d.symbol), print_whole_text(arena, d.value))));
             }
         }
         Err(error @ DeriveError::NoInertia { .. }) => {
@@ -283,20 +283,27 @@ fn check_notes_on_missing_inertia(model: &Model, speed: &str) -> Result<Vec<Stri
 
 /// Largest number of bytes of a formula for the power of the loads in a note.
 const LONGEST_POWER: usize = 1000;
+/// Largest number of printed nodes in all definitions of names in that formula together.
+const LONGEST_DEFINITIONS: usize = 5000;
 
-/// Writes a note on the power that changes the total energy T + V. `None` if T + V is constant.
-fn check_note_on_power(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
+/// Writes a note on the power that changes the total energy T + V, with the definitions of the names that the note
+/// contains. `None` if T + V is constant.
+fn check_note_on_power(model: &Model, arena: &Arena, power: Expr) -> Option<(String, Vec<Definition>)> {
     if model.is_driven() {
-        return Some("constraints drive the mechanism: T + V changes by the work of their forces".to_owned());
+        let note = "constraints drive the mechanism: T + V changes by the work of their forces";
+        return Some((note.to_owned(), Vec::new()));
     }
     if power == Expr::ZERO {
         return None;
     }
+    let named = definitions_shown(arena, &[power]);
+    let length = named.iter().map(|d| printed_length(arena, d.value)).fold(0, usize::saturating_add);
     let formula = print_text(arena, power);
-    if formula.len() > LONGEST_POWER {
-        return Some("T + V changes at the power of the loads, a formula too long for a note".to_owned());
+    if formula.len() > LONGEST_POWER || length > LONGEST_DEFINITIONS {
+        let note = "T + V changes at the power of the loads, a formula too long for a note";
+        return Some((note.to_owned(), Vec::new()));
     }
-    Some(format!("T + V changes at the rate {formula}"))
+    Some((format!("T + V changes at the rate {formula}"), named))
 }
 
 /// Function of the coordinates that a motion constraint keeps constant, as the text of a formula.

@@ -1,6 +1,7 @@
 //! Command `tripos derive`: prints equations of motion for the user or for other programs.
 
 mod derivation_document;
+mod formula_writer;
 mod json;
 pub mod latex;
 mod latex_formulas;
@@ -14,6 +15,7 @@ use crate::files::workspace::{read_model, short_name};
 use crate::phrases::NAMED_TERMS_HEADING;
 use crate::terminal::failure::{Failure, print, print_json, print_to_stderr};
 use derivation_document::Document;
+use formula_writer::{FormulaWriter, formulas_in_derivation};
 use rustc_hash::FxHashSet;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -21,10 +23,11 @@ use std::path::Path;
 use tripos::Mechanism;
 use tripos::equations_name::formulation_of_name;
 use tripos_derive::Formulation;
+use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::algebra::solve::elimination::Elimination;
-use tripos_derive::algebra::text::print::{mathml, print_text};
-use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::text::print::mathml;
 use tripos_derive::mechanics::{
     DerivationInSteps, EquationForm, MovingLoadPlace, accelerations, derive_all, derive_in_steps, moving_load_places,
 };
@@ -126,41 +129,39 @@ fn derivation_text(model: &Mechanism, moving: &[MovingLoadPlace], derived: &[Sol
     for SolvedFormulation { derivation, solved } in derived {
         let DerivationInSteps { arena, equations: e, steps } = derivation;
         let _ = writeln!(out, "\n{}\n{}", e.formulation.title(), "=".repeat(e.formulation.title().chars().count()));
-        if !e.definitions.is_empty() {
+        let solved = solved.as_ref().map_or(&[][..], |solved| &solved.steps);
+        let values = |list: &[Definition]| list.iter().map(|step| step.value).collect::<Vec<_>>();
+        let shown = [formulas_in_derivation(e, steps), values(&e.definitions)].concat();
+        let mut writer = FormulaWriter::new(arena, e, &[shown.as_slice(), &values(solved)].concat());
+        let named = writer.definitions(&e.definitions, &shown);
+        if !named.is_empty() {
             let _ = writeln!(out, "\n{NAMED_TERMS_HEADING}, each line by those before it");
-            for step in &e.definitions {
-                let name = arena.symbol_name(step.symbol).unwrap_or_default();
-                let _ = writeln!(out, "  {name} = {}", print_text(arena, step.value));
-            }
+        }
+        for (name, value) in named {
+            let _ = writeln!(out, "  {name} = {value}");
         }
         for step in steps {
             let _ = writeln!(out, "\n{}", step.stage.title(model));
             for (name, value) in &step.lines {
-                let _ = writeln!(out, "  {} = {}", name.text(model), print_text(arena, *value));
+                let _ = writeln!(out, "  {} = {}", name.text(model), writer.text(*value));
             }
         }
         let _ = writeln!(out, "\nEquations of motion, one row for each of {}", e.row_names(model).join(", "));
         for (row, right) in e.matrix.iter().zip(&e.forcing) {
-            let _ = writeln!(out, "  {} = {}", row_text(arena, row, &e.unknowns), print_text(arena, *right));
+            let _ = writeln!(out, "  {} = {}", row_text(&writer, row, &e.unknowns), writer.text(*right));
         }
-        if let Some(solved) = solved {
+        if !solved.is_empty() {
             let _ = writeln!(out, "\nSolved for the accelerations, each line by those before it");
-            for step in &solved.steps {
-                let name = arena.symbol_name(step.symbol).unwrap_or_default();
-                let _ = writeln!(out, "  {name} = {}", print_text(arena, step.value));
-            }
         }
-        let _ = writeln!(
-            out,
-            "\nT = {}\nV = {}",
-            print_text(arena, e.kinetic_energy),
-            print_text(arena, e.potential_energy)
-        );
+        for (name, value) in writer.definitions(solved, &[]) {
+            let _ = writeln!(out, "  {name} = {value}");
+        }
+        let _ = writeln!(out, "\nT = {}\nV = {}", writer.text(e.kinetic_energy), writer.text(e.potential_energy));
         if e.power != Expr::ZERO {
-            let _ = writeln!(out, "d(T + V)/dt = {}", print_text(arena, e.power));
+            let _ = writeln!(out, "d(T + V)/dt = {}", writer.text(e.power));
         }
         if !e.divisors.is_empty() {
-            let list: Vec<String> = e.divisors.iter().map(|d| format!("{} = 0", print_text(arena, *d))).collect();
+            let list: Vec<String> = e.divisors.iter().map(|d| format!("{} = 0", writer.text(*d))).collect();
             let _ = writeln!(out, "The kinematic equations are singular where {}.", list.join(", "));
         }
     }
@@ -168,13 +169,13 @@ fn derivation_text(model: &Mechanism, moving: &[MovingLoadPlace], derived: &[Sol
 }
 
 /// Returns a row of the linear system as text, `M1*x1 + M2*x2 + …`, without zero entries.
-fn row_text(arena: &Arena, row: &[Expr], unknowns: &[Expr]) -> String {
+fn row_text(writer: &FormulaWriter<'_>, row: &[Expr], unknowns: &[Expr]) -> String {
     let mut terms = Vec::new();
     for (entry, unknown) in row.iter().zip(unknowns) {
-        let name = arena.symbol_name(*unknown).unwrap_or_default();
-        match print_text(arena, *entry).as_str() {
+        let name = writer.text(*unknown);
+        match writer.text(*entry).as_str() {
             "0" => {}
-            "1" => terms.push(name.to_owned()),
+            "1" => terms.push(name),
             "-1" => terms.push(format!("-{name}")),
             factor if factor.contains(' ') => terms.push(format!("({factor})*{name}")),
             factor => terms.push(format!("{factor}*{name}")),

@@ -200,7 +200,7 @@ impl Rows {
         let Kinematics { arena, simplifier, .. } = kinematics;
         let a: Vec<Vec<Expr>> = self.chosen.iter().map(|at| self.matrix[*at].clone()).collect();
         let b: Vec<Expr> = self.chosen.iter().map(|at| wanted[*at]).collect();
-        let (xi, _) = solve_blocks(arena, simplifier, &a, &b, None).ok()?;
+        let (xi, _) = solve_blocks(arena, simplifier, &a, &b, None, None).ok()?;
         let consistent = self.matrix.iter().zip(&wanted).enumerate().all(|(at, (row, value))| {
             if self.chosen.contains(&at) {
                 return true;

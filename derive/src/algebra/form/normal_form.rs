@@ -43,6 +43,9 @@ pub struct Normalizer {
     /// Divisor of each atom: a term without a sum, such as q₁, of which angles are multiples. The
     /// base angle is the atom divided by this number.
     parts_of_turn: FxHashMap<Expr, i64>,
+    /// True if named terms are independent generators; false if a named term has the normal form of the term that it
+    /// abbreviates.
+    names_are_generators: bool,
 }
 
 impl Default for Normalizer {
@@ -60,7 +63,19 @@ impl Normalizer {
     /// conversions together may use.
     #[must_use]
     pub fn new(budget: u64) -> Self {
-        Self { ring: Ring::new(budget), forms: FxHashMap::default(), parts_of_turn: FxHashMap::default() }
+        Self {
+            ring: Ring::new(budget),
+            forms: FxHashMap::default(),
+            parts_of_turn: FxHashMap::default(),
+            names_are_generators: false,
+        }
+    }
+
+    /// Creates a normalizer to which named terms are independent generators. The terms of its normal forms equal the
+    /// given terms, but a term whose normal form is not zero may be zero. The budget is that of [`Self::new`].
+    #[must_use]
+    pub fn for_rewriting(budget: u64) -> Self {
+        Self { names_are_generators: true, ..Self::new(budget) }
     }
 
     /// Sets the number of multiplications of terms that are still allowed. If the ring has its
@@ -98,7 +113,7 @@ impl Normalizer {
         if let Some(done) = self.forms.get(&e) {
             return done.clone();
         }
-        let parts = arena.reachable(&[e]);
+        let parts = if self.names_are_generators { arena.subterms_up_to_names(&[e]) } else { arena.reachable(&[e]) };
         self.refine_angles(arena, &parts);
         for part in parts {
             if !self.forms.contains_key(&part) {
@@ -166,6 +181,7 @@ impl Normalizer {
         match arena.node(e).clone() {
             Node::Number(value) => Some(Fraction::from_polynomial(RingPolynomial::constant(&value))),
             Node::Symbol(_) | Node::Pi => self.independent_generator(e),
+            Node::Named(..) if self.names_are_generators => self.independent_generator(e),
             Node::Named(_, term) => self.forms[&term].as_deref().cloned(),
             Node::Sum(constant, terms) => {
                 let constant = Fraction::from_polynomial(RingPolynomial::constant(&constant));

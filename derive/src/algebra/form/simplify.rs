@@ -82,7 +82,7 @@ impl Simplifier {
     /// Expands the term `e` to a Laurent polynomial in symbols, function values and inverse sums.
     /// `None` beyond `LIMIT` terms or `PARTS` subterms.
     pub fn polynomial(&mut self, arena: &mut Arena, e: Expr) -> Option<LaurentPolynomial> {
-        let parts = arena.shown_subterms(&[e]);
+        let parts = arena.subterms_up_to_names(&[e]);
         if parts.len() > Self::PARTS {
             return None;
         }
@@ -92,7 +92,7 @@ impl Simplifier {
     /// Expands a term to a polynomial, but keeps sums of symbols whose expansion cannot cancel a
     /// term. `None` beyond `LIMIT` terms or `PARTS` subterms.
     fn expand(&mut self, arena: &mut Arena, e: Expr) -> Option<LaurentPolynomial> {
-        let parts = arena.shown_subterms(&[e]);
+        let parts = arena.subterms_up_to_names(&[e]);
         if parts.len() > Self::PARTS {
             return None;
         }
@@ -194,7 +194,7 @@ fn mixes_angles(arena: &Arena, polynomial: &LaurentPolynomial) -> bool {
 /// Normal form of the term `e` as a fraction, with numerator and factors of the denominator in
 /// short form. `None` if the budget of multiplications is used up.
 fn fraction_in_short_form(arena: &mut Arena, e: Expr, budget: u64) -> Option<Expr> {
-    let mut normalizer = Normalizer::new(budget);
+    let mut normalizer = Normalizer::for_rewriting(budget);
     let form = normalizer.normal_form(arena, e)?;
     let short = |arena: &mut Arena, p: &LaurentPolynomial| {
         let reduced = reduce(arena, p);
@@ -288,7 +288,7 @@ pub fn operation_count(arena: &Arena, e: Expr) -> usize {
 #[must_use]
 pub fn operation_count_of_all(arena: &Arena, list: &[Expr]) -> usize {
     arena
-        .shown_subterms(list)
+        .subterms_up_to_names(list)
         .into_iter()
         .map(|part| match arena.node(part) {
             Node::Number(_) | Node::Symbol(_) | Node::Pi | Node::Named(..) => 0,

@@ -10,6 +10,7 @@
 
 use super::linear::{Singular, solve_linear_near};
 use super::pivot_values::PivotValues;
+use super::system_labels::{BlockLabels, SystemLabels};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::value::range::range_excludes_zero;
 use crate::algebra::value::rank::rank;
@@ -27,6 +28,9 @@ const LARGEST_LEFT: usize = 6;
 /// Solves A x = b with a square matrix A, block by block. Returns x and the divisors; most divisors
 /// are determinants of blocks.
 ///
+/// If `labels` are given, long terms of long blocks get names: entries of A and b, minors, and the unknowns, before
+/// later blocks use them. Each unknown then has a length that does not grow with the number of blocks.
+///
 /// # Errors
 /// [`Singular`] if A is singular for all values of its symbols.
 pub fn solve_blocks(
@@ -35,6 +39,7 @@ pub fn solve_blocks(
     a: &[Vec<Expr>],
     b: &[Expr],
     point: Option<&PivotValues>,
+    labels: Option<&SystemLabels>,
 ) -> Result<(Vec<Expr>, Vec<Expr>), Singular> {
     if let Some(found) = rank(arena, a)
         && let Some(row) = found.dependent
@@ -44,13 +49,22 @@ pub fn solve_blocks(
     let mut x = vec![Expr::ZERO; a.len()];
     let mut divisors = Vec::new();
     for (rows, columns) in blocks(a).into_iter().flat_map(|block| block_triangular_parts(a, block.0, block.1)) {
-        let block: Vec<Vec<Expr>> = rows.iter().map(|r| columns.iter().map(|c| a[*r][*c]).collect()).collect();
-        let right: Vec<Expr> =
+        let mut block: Vec<Vec<Expr>> = rows.iter().map(|r| columns.iter().map(|c| a[*r][*c]).collect()).collect();
+        let mut right: Vec<Expr> =
             rows.iter().map(|r| right_side(arena, simplifier, &a[*r], b[*r], &x, &columns)).collect();
+        let names = labels.and_then(|labels| labels.of_long_block(arena, &block, &rows, &columns));
+        if let Some(names) = &names {
+            names.name_entries(arena, simplifier, &mut block, &mut right);
+        }
+        let names = names.as_ref();
         let (solution, by) = if rows.len() <= LARGEST && rows.len() == columns.len() {
-            solve_block_by_cofactors(arena, simplifier, &block, &right)
+            solve_block_by_cofactors(arena, simplifier, &block, &right, names)
         } else {
-            solve_large_block(arena, simplifier, &block, &right, point)?
+            solve_large_block(arena, simplifier, &block, &right, point, names)?
+        };
+        let solution = match names {
+            Some(names) => names.name_unknowns(arena, simplifier, &solution),
+            None => solution,
         };
         for (column, value) in columns.iter().zip(solution) {
             x[*column] = value;
@@ -69,6 +83,7 @@ fn solve_large_block(
     a: &[Vec<Expr>],
     b: &[Expr],
     point: Option<&PivotValues>,
+    labels: Option<&BlockLabels<'_>>,
 ) -> Result<(Vec<Expr>, Vec<Expr>), Singular> {
     let n = a.len();
     let mut rows: Vec<Vec<Expr>> = a.iter().zip(b).map(|(row, right)| [row.as_slice(), &[*right]].concat()).collect();
@@ -76,12 +91,18 @@ fn solve_large_block(
     while let Some((row, column)) = never_zero_block_pivot(arena, &rows, &order, n) {
         order.push((row, column));
         let pivot = rows[row][column];
+        let named = |arena: &mut Arena, row: usize, entries: &mut [Expr]| {
+            if let Some(labels) = labels {
+                entries[..n].iter_mut().for_each(|entry| *entry = labels.name_minor(arena, *entry, &[row]));
+            }
+        };
         for entry in &mut rows[row] {
             let quotient = arena.div(*entry, pivot).expect("a pivot is not zero");
             *entry = simplifier.simplify(arena, quotient);
         }
+        named(arena, row, &mut rows[row]);
         let pivot_row = rows[row].clone();
-        for target in rows.iter_mut().enumerate().filter(|(other, _)| *other != row).map(|(_, target)| target) {
+        for (other, target) in rows.iter_mut().enumerate().filter(|(other, _)| *other != row) {
             let factor = target[column];
             if factor == Expr::ZERO {
                 continue;
@@ -91,6 +112,7 @@ fn solve_large_block(
                 let difference = arena.sub(*entry, product);
                 *entry = simplifier.simplify(arena, difference);
             }
+            named(arena, other, target);
         }
     }
     let left = |taken: &dyn Fn(&(usize, usize)) -> usize| -> Vec<usize> {
@@ -100,7 +122,7 @@ fn solve_large_block(
     let block: Vec<Vec<Expr>> = rows_left.iter().map(|r| columns_left.iter().map(|c| rows[*r][*c]).collect()).collect();
     let right: Vec<Expr> = rows_left.iter().map(|r| rows[*r][n]).collect();
     let (solution, divisors) = if rows_left.len() <= LARGEST_LEFT {
-        solve_block_by_cofactors(arena, simplifier, &block, &right)
+        solve_block_by_cofactors(arena, simplifier, &block, &right, None)
     } else {
         let right: Vec<Vec<Expr>> = right.into_iter().map(|e| vec![e]).collect();
         let (solution, pivots) = solve_linear_near(arena, simplifier, &block, &right, point)?;
@@ -250,10 +272,11 @@ fn solve_block_by_cofactors(
     simplifier: &mut Simplifier,
     a: &[Vec<Expr>],
     b: &[Expr],
+    labels: Option<&BlockLabels<'_>>,
 ) -> (Vec<Expr>, Vec<Expr>) {
     let n = a.len();
     let all: Vec<usize> = (0..n).collect();
-    let mut minors = BlockMinors { a, known: FxHashMap::default() };
+    let mut minors = BlockMinors { a, known: FxHashMap::default(), labels };
     let determinant = minors.minor(arena, simplifier, &all, &all);
     let mut x = Vec::with_capacity(n);
     for column in 0..n {
@@ -281,6 +304,8 @@ struct BlockMinors<'a> {
     a: &'a [Vec<Expr>],
     /// Minors computed so far, by their rows and columns.
     known: FxHashMap<(Vec<usize>, Vec<usize>), Expr>,
+    /// Names for long minors; `None` if minors stay without names.
+    labels: Option<&'a BlockLabels<'a>>,
 }
 
 impl BlockMinors<'_> {
@@ -304,6 +329,7 @@ impl BlockMinors<'_> {
         }
         let sum = arena.sum(&terms);
         let determinant = simplifier.simplify(arena, sum);
+        let determinant = self.labels.map_or(determinant, |labels| labels.name_minor(arena, determinant, rows));
         self.known.insert((rows.to_vec(), columns.to_vec()), determinant);
         determinant
     }

@@ -10,3 +10,4 @@ pub mod linear_relations;
 pub mod pivot_values;
 pub(crate) mod quadratic_equation;
 pub mod quadratic_minimum;
+pub mod system_labels;

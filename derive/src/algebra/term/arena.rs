@@ -353,6 +353,13 @@ impl Arena {
         self.subterms_until(roots, |_| false, |e| self.written_name(e).is_some())
     }
 
+    /// All subterms of `roots` that rewriting sees, the roots included, in the order of handles. Terms that occur only
+    /// inside named terms are left out, whether or not a document has defined the names.
+    #[must_use]
+    pub fn subterms_up_to_names(&self, roots: &[Expr]) -> Vec<Expr> {
+        self.subterms_until(roots, |_| false, |e| self.named_term_value(e).is_some())
+    }
+
     /// Subterms of the terms `roots`, the roots included, in the order of handles. Left out are the
     /// terms for which `known` is true, and terms that occur only inside these.
     pub(crate) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {

@@ -14,7 +14,7 @@ mod typst;
 
 pub use latex::{latex, latex_name, latex_of};
 pub use line_breaks::{break_latex_lines, break_mathml_pieces, break_typst_lines, formula_width};
-pub use long_parts::{long_parts, printed_length};
+pub use long_parts::{length_up_to_names, long_parts, printed_length};
 pub use mathml::{mathml, mathml_name, mathml_of};
 pub(in crate::algebra::text) use printed_names::greek_name;
 pub use printed_names::{name_parts, printed_name};

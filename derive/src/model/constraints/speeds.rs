@@ -6,6 +6,7 @@ use crate::algebra::solve::block_systems::solve_blocks;
 use crate::algebra::solve::elimination::divisors;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::solve::pivot_values::PivotValues;
+use crate::algebra::solve::system_labels::SystemLabels;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::contraction::contract_products;
 use crate::algebra::value::rank::rank;
@@ -199,7 +200,18 @@ impl<'a> Loading<'a> {
         if self.reader.errors.len() > before {
             return None;
         }
-        match solve_blocks(&mut self.arena, &mut Simplifier::default(), &matrix, &right, point) {
+        let labels = SystemLabels {
+            rows: constraints
+                .iter()
+                .map(|(c, _)| &c.name)
+                .chain(speeds.iter().map(|(s, _)| &s.name))
+                .cloned()
+                .collect(),
+            unknowns: coordinates.iter().map(|c| c.name.clone()).collect(),
+            symbols: speeds.iter().map(|(s, _)| (s.symbol, s.name.clone())).collect(),
+        };
+        let labels = (!constraints.is_empty()).then_some(&labels);
+        match solve_blocks(&mut self.arena, &mut Simplifier::default(), &matrix, &right, point, labels) {
             Ok((rates, divisors)) => {
                 let divisors = divisors.iter().map(|e| contract_products(&mut self.arena, *e)).collect::<Vec<_>>();
                 let divisors = self.speed_divisor_factors(&divisors, coordinates);
