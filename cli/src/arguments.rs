@@ -338,6 +338,10 @@ pub enum Command {
         scene: PathBuf,
         #[command(flatten)]
         set: Set,
+        /// Print abbreviated equations instead: leave out all terms that change no shown quantity by more than this
+        /// part of its largest size, such as 1e-3, as runs of the scene show
+        #[arg(long, value_name = "PART")]
+        within: Option<f64>,
         /// Print JSON
         #[arg(long)]
         json: bool,

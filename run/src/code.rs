@@ -216,6 +216,17 @@ pub fn interpreted_scene_code(reduction: &Reduction) -> Result<Code, Error> {
     Ok(Code::interpreted(code.map_err(|why| interpretation_error(&EquationsOrigin::Reduced.name(), &why))?))
 }
 
+/// Compiles the reduced equations of a scene to tapes for interpretation, with the scene's outputs but without
+/// eliminated accelerations. A run then solves for the accelerations numerically.
+///
+/// # Errors
+/// [`Error::Request`] if the equations contain a symbol that has no value during a run.
+pub fn interpreted_scene_code_as_derived(reduction: &Reduction) -> Result<Code, Error> {
+    let code = InterpretedEquations::new(&reduction.model, &reduction.derivation);
+    let code = code.and_then(|code| code.with_scene_outputs(reduction)).map_err(InterpretationError::from);
+    Ok(Code::interpreted(code.map_err(|why| interpretation_error(&EquationsOrigin::Reduced.name(), &why))?))
+}
+
 /// Makes the error that says why equations cannot be interpreted. `name` is their name, for people.
 fn interpretation_error(name: &str, why: &InterpretationError) -> Error {
     match why {

@@ -8,6 +8,7 @@ use crate::preparation::reduced_equations::ReducedScene;
 use crate::simulation::run::Run;
 use crate::simulation::sampled_inputs::{self, ControllerSample, HeldSignal, SampledRun};
 use crate::simulation::simulate::simulate;
+use crate::studies::abbreviation::{Abbreviation, abbreviate};
 use crate::studies::sensitivity::gradient::{Gradient, gradient};
 use crate::studies::sensitivity::{DerivativeInstants, Sensitivities, sensitivities};
 use crate::trust::reference_solution::ReferenceSolution;
@@ -177,6 +178,16 @@ impl Scene {
     /// [`Error::Input`] if the model cannot be derived.
     pub fn prove(&self) -> Result<Proof, Error> {
         self.mechanism.prove()
+    }
+
+    /// Leaves out the terms of the scene's equations that change no shown quantity by more than the part `within` of its
+    /// largest size, as runs of this scene show. For other starts, parameters and spans, the differences may be larger.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if `within` is not between 0 and 1, or if the scene has impacts. [`Error::Stopped`] if the
+    /// run of the whole equations fails. [`Error`] if the model cannot be derived.
+    pub fn abbreviate(&self, within: f64) -> Result<Abbreviation, Error> {
+        abbreviate(&self.mechanism, &self.current, within)
     }
 
     /// Derives the smallest set of equations that gives all outputs of the scene, and the constants of its

@@ -1,5 +1,6 @@
 //! The library as a program uses it.
 
+mod abbreviations;
 mod closed_sliders;
 mod conditions;
 mod contacts_apart;

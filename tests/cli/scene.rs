@@ -369,3 +369,28 @@ fn a_top_runs_by_its_own_equations_whatever_its_moments() {
         }
     }
 }
+
+/// Truth for the numbers: run/tests/abbreviations.rs. Here: the answer as people and programs read it.
+#[test]
+fn abbreviated_equations_are_printed_with_their_measured_differences() {
+    let answer_of =
+        |within: &str| answer_in_json(&["scene", "models/furuta/scenes/swing.toml", "--within", within, "--json"]);
+    let value = answer_of("0.05");
+    let left_out = value["left_out"].as_array().unwrap();
+    assert!(!left_out.is_empty() && (left_out.len() as u64) < value["terms"].as_u64().unwrap(), "{value}");
+    let operations = |key: &str| value["cost"][key]["operations"].as_u64().unwrap();
+    assert!(operations("abbreviated") < operations("whole"), "{value}");
+    for difference in value["differences"].as_array().unwrap() {
+        let [largest, scale, relative] = ["largest", "scale", "relative"].map(|key| difference[key].as_f64().unwrap());
+        assert!(relative <= 0.05 && (largest - relative * scale).abs() <= 1e-12 * scale, "{difference}");
+    }
+    let (status, text, _) = answer(&["scene", "models/furuta/scenes/swing.toml", "--within", "0.05"]);
+    assert!(status == 0 && text.contains("other starts, parameters and spans may differ more"), "{text}");
+    let (status, _, error) = answer(&["scene", LEAN, "--within", "2"]);
+    expect_test::expect![[r"
+        2
+        error: the bound 2 is not between 0 and 1
+        help: state a part of each shown quantity, such as --within 1e-3
+    "]]
+    .assert_eq(&format!("{status}\n{error}"));
+}

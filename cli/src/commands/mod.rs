@@ -1,5 +1,6 @@
 //! Subcommands of `tripos`, one file for each.
 
+pub mod abbreviated_scene;
 pub mod chart;
 pub mod check;
 pub mod derive;

@@ -9,6 +9,7 @@ use std::fmt::Write;
 use tripos::{Mechanism, ReducedScene};
 use tripos_codegen::plan::{Costs, OperationCount, scene_costs};
 use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::mechanics::Derivation;
 use tripos_derive::reduce::ReducedQuantity;
 use tripos_derive::scene::Scene;
 
@@ -69,8 +70,11 @@ fn reduced_scene_json(model: &Mechanism, scene: &Scene, reduced: &ReducedScene, 
 
 /// Returns the definitions and equations of motion of the reduced system, one per line.
 fn reduced_equation_lines(reduced: &ReducedScene) -> Vec<String> {
-    let arena = reduced.reduction.arena();
-    let e = &reduced.reduction.derivation.equations;
+    equation_lines(&reduced.reduction.derivation)
+}
+
+/// Returns the definitions, the kinematic equations and the equations of motion, one per line.
+pub fn equation_lines(Derivation { arena, equations: e }: &Derivation) -> Vec<String> {
     let text = |x| print_text(arena, x);
     let definitions = e.definitions.iter().map(|d| (text(d.symbol), text(d.value)));
     let rates = e.coordinates.iter().zip(&e.coordinate_rates).map(|(q, k)| (format!("{}'", text(*q)), text(*k)));

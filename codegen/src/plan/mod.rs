@@ -38,6 +38,6 @@ pub use regressor::RegressorFunctions;
 #[cfg(feature = "languages")]
 pub(crate) use scene_outputs::numbered_values;
 pub use scene_outputs::{MissingOutputReason, SceneOutputs};
-pub use scene_plan::{Costs, SceneEquations, ScenePlan, Taylor, scene_costs};
+pub use scene_plan::{Costs, SceneEquations, ScenePlan, Taylor, linear_system_cost, scene_costs};
 pub use taylor_plan::TaylorPlan;
 pub use tripos_derive::algebra::text::display_tree::{constant_and_factors, is_sum_free_formula};

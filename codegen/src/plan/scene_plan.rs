@@ -1,7 +1,9 @@
 //! Plan of the functions of a scene's reduced equations, and their cost in comparison with the equations of the whole
 //! model.
 
-use super::equation_functions::{accelerations, derivative, divisors, jacobian, kinematics_and_energies};
+use super::equation_functions::{
+    accelerations, derivative, divisors, jacobian, kinematics_and_energies, linear_system,
+};
 use super::formulation_plan::{Jacobian, singular_text};
 use super::programs::cost::OperationCount;
 use super::programs::function::{Arguments, Function, Returns, Value};
@@ -12,7 +14,7 @@ use crate::taylor::{Recurrences, cheapest_recurrences_of};
 use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{self, DeriveError, SolvedAccelerations, Unsolved};
+use tripos_derive::mechanics::{self, Derivation, DeriveError, SolvedAccelerations, Unsolved};
 use tripos_derive::reduce::{PotentialDifference, ReducedQuantity, Reduction};
 use tripos_derive::{Equations, Formulation, Model, derive};
 
@@ -301,4 +303,14 @@ pub fn scene_costs(model: &Model, reduction: &Reduction) -> Result<Costs, Derive
     let full = of(model, &kane.arena, &kane.equations)?;
     let scene = of(&reduction.model, reduction.arena(), &reduction.derivation.equations)?;
     Ok(Costs { full, scene })
+}
+
+/// Counts the operations of the mass matrix and the forcing of equations of motion together, in one call of each.
+#[must_use]
+pub fn linear_system_cost(model: &Model, derivation: &Derivation) -> OperationCount {
+    let mut arena = derivation.arena.clone();
+    let equations = &derivation.equations.with_definitions(&mut arena);
+    let planner = Planner::new(model, &arena, equations, &Language::NONE, Sharing::Shared);
+    let (apart, together) = linear_system(&planner);
+    together.map_or_else(|| apart.iter().map(|function| function.cost).sum(), |function| function.cost)
 }

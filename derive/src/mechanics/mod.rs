@@ -37,6 +37,7 @@ pub use motion::potential::potential_at_rest;
 pub use quantity::{EnergyQuantity, Quantity, QuantityKind, QuantityOwner, RowQuantity, VectorName};
 pub use rows::{AccelerationEmbedding, BalanceName, LineName, RowName, Rows, Stage, Step};
 pub use singular_distance::{SingularDistance, singular_distances};
+pub use solutions::abbreviation::{SumTerm, SumTerms, summand};
 pub use solutions::accelerations::{SolvedAccelerations, accelerations, energy_gradient};
 pub use solutions::certificate::{Certificate, certify_accelerations, certify_equal_forces, certify_inverse_dynamics};
 pub use solutions::divisors::{Divisors, LoadDivisor, distinct_divisors, divisor_without_number, load_divisors};

@@ -1,6 +1,7 @@
 //! Studies of mechanisms: charts, sweeps, derivatives, steady motions, inverse dynamics and
 //! identification.
 
+pub mod abbreviation;
 pub mod chart_case;
 pub mod figure;
 pub mod identification;

@@ -18,6 +18,17 @@ pub struct OperationCount {
     pub functions: usize,
 }
 
+impl std::iter::Sum for OperationCount {
+    fn sum<I: Iterator<Item = Self>>(counts: I) -> Self {
+        counts.fold(Self::default(), |all, count| Self {
+            operations: all.operations + count.operations,
+            divisions: all.divisions + count.divisions,
+            sincos: all.sincos + count.sincos,
+            functions: all.functions + count.functions,
+        })
+    }
+}
+
 impl OperationCount {
     /// Approximate cost of a division, in additions. On current processors a division occupies its unit about four
     /// times as long as an addition.

@@ -1,5 +1,6 @@
 //! Results computed from equations of motion, such as accelerations. Each result is proved from the equations.
 
+pub(super) mod abbreviation;
 pub(super) mod accelerations;
 pub(super) mod certificate;
 pub(super) mod divisors;
