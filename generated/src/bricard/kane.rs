@@ -12,13 +12,13 @@ pub use super::code::kane::{
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u_P4.
 ///
-/// 562 operations, 5 sines and cosines, step by step: the code names every term.
+/// 561 operations, 5 sines and cosines, step by step: the code names every term.
 #[doc(inline)]
 pub use super::code::kane::mass_matrix;
 
 /// Right-hand side of the linear system; unknowns (u_P4').
 ///
-/// 1515 operations, 5 sines and cosines, step by step: the code names every term.
+/// 1514 operations, 5 sines and cosines, step by step: the code names every term.
 #[doc(inline)]
 pub use super::code::kane::forcing;
 

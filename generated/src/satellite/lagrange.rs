@@ -3,7 +3,7 @@
 //! Generated from `models/satellite/model.toml`. Do not edit; run `tripos regenerate`.
 //! Unknowns: (e0'', e1'', e2'', e3'', phi'', lambda_S_norm).
 //! The kinematic equations are singular nowhere.
-//! The accelerations divide by 3*A + 2*K, by e0^2 + e1^2 + e2^2 + e3^2, by 3*B + K*(2 - K/(3*A + 2*K)), by 3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K)))), by J.
+//! The accelerations divide by e0^2 + e1^2 + e2^2 + e3^2, by 3*A + 2*K, by 3*B + K*(2 - K/(3*A + 2*K)), by 3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K)))), by J.
 
 pub use super::code::lagrange::{
     Lagrange, constraint_slopes, constraints, derivative, divisors, jacobian_product,
@@ -104,58 +104,74 @@ pub use super::code::lagrange::mass_matrix;
 /// H_wheel_1_2 = K*w_S_in_axle_base_1_2
 /// H_wheel_2_2 = K*w_S_in_axle_base_2_2
 /// H_wheel_3_2 = J*w_S_in_axle_base_3_2
-/// f1 = 4*(18*e3'*H_bus_3 + 6*e1'*(3*H_bus_1 - H_wheel_1) + 6*e2'*(3*H_bus_2 - H_wheel_2) - (e0*(18*H_bus_3*(e2*e1' - e1*e2') - 6*(H_wheel_1*(e3*(e1' - e2') -
-///     e0*(e1' + e2') + e3'*(e2 - e1)) + H_wheel_2*(e3*(e1' - e2') - e0*(e1' + e2') + e3'*(e2 - e1)))/(3 + sqrt(3)) + 6*e0*(3*e3'*H_bus_3 + e1'*(3*H_bus_1 - H_wheel_1)
-///     + e2'*(3*H_bus_2 - H_wheel_2)) - 6*e3*(e2'*(H_wheel_1 - 3*H_bus_1) + e1'*(3*H_bus_2 - H_wheel_2)) + 6*e3'*(e2*(H_wheel_1 - 3*H_bus_1) + e1*(3*H_bus_2 -
-///     H_wheel_2)) + sqrt(3)*(2*H_wheel_1*(e2*e1' - e1*e2' + e0*e3') + 2*H_wheel_2*(e2*e1' - e1*e2' + e0*e3') + H_wheel_3*(e3*(e2' - e1') + e0*(e1' + e2' + e3') +
-///     e1*(e3' - e2') + e2*(e1' - e3')))) + e3^2*e3'*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)) + e1*(e2*e2'*(18*H_bus_1 - 6*H_wheel_1 +
-///     6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) +
-///     e1'*(e1*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e2*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 +
-///     sqrt(3)) + H_wheel_3*sqrt(3)) + e3*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)))) + e2*(e2*e2'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 +
-///     H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e3*(e3'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) +
-///     e2'*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)))))/(e0^2 + e1^2 + e2^2 + e3^2) - 18*e3*H_bus_3_2 + 6*e1*(H_wheel_1_2 - 3*H_bus_1_2) +
-///     6*(e1'*(H_wheel_1 + H_wheel_2) - e1*(H_wheel_1_2 + H_wheel_2_2) + e2'*(H_wheel_1 + H_wheel_2) - e2*(H_wheel_1_2 + H_wheel_2_2))/(3 + sqrt(3)) +
-///     6*e2*(H_wheel_2_2 - 3*H_bus_2_2) + sqrt(3)*(H_wheel_3*(e1' + e2') - 2*H_wheel_3_2*(e1 + e2) + e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e3*(H_wheel_1_2 +
-///     H_wheel_2_2 + H_wheel_3_2)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
-/// f2 = 4*(18*e2*H_bus_3_2 - 18*e2'*H_bus_3 - 6*e0'*(3*H_bus_1 - H_wheel_1) - 6*e3'*(H_wheel_2 - 3*H_bus_2) - (e3*(e3*e3'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1
-///     + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e2*(e2'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) -
-///     e3'*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)))) - e2^2*e2'*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)) -
-///     e1*(18*H_bus_3*(e3*e0' - e0*e3') + 6*(H_wheel_1*(e2*(e0' + e3') - e2'*(e0 + e3) + e1*(e0' - e3')) + H_wheel_2*(e2*(e0' + e3') - e2'*(e0 + e3) + e1*(e0' -
-///     e3')))/(3 + sqrt(3)) + 6*e1*(3*e2'*H_bus_3 + e0'*(3*H_bus_1 - H_wheel_1) + e3'*(H_wheel_2 - 3*H_bus_2)) + 6*e2*(e3'*(3*H_bus_1 - H_wheel_1) + e0'*(3*H_bus_2 -
-///     H_wheel_2)) - 6*e2'*(e3*(3*H_bus_1 - H_wheel_1) + e0*(3*H_bus_2 - H_wheel_2)) + sqrt(3)*(2*H_wheel_1*(e3*e0' - e0*e3' + e1*e2') + 2*H_wheel_2*(e3*e0' - e0*e3' +
-///     e1*e2') + H_wheel_3*(e3*(e0' - e2') + e1*(e0' + e2' - e3') - e0*(e2' + e3') + e2*(e0' + e3')))) - e0*(e2*e2'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 +
-///     H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) +
-///     e0'*(e0*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e3*(6*H_wheel_2 - 18*H_bus_2 - 6*(H_wheel_1 + H_wheel_2)/(3 +
-///     sqrt(3)) - H_wheel_3*sqrt(3)) + e2*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)))))/(e0^2 + e1^2 + e2^2 + e3^2) - 6*e0*(H_wheel_1_2 -
-///     3*H_bus_1_2) - 6*e3*(3*H_bus_2_2 - H_wheel_2_2) - 6*(e0'*(H_wheel_1 + H_wheel_2) - e3'*(H_wheel_1 + H_wheel_2) - e0*(H_wheel_1_2 + H_wheel_2_2) +
-///     e3*(H_wheel_1_2 + H_wheel_2_2))/(3 + sqrt(3)) - sqrt(3)*(e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - H_wheel_3*(e3' - e0') - 2*H_wheel_3_2*(e0 - e3) -
-///     2*e2*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
-/// f3 = 4*(18*e1'*H_bus_3 - 6*e3'*(3*H_bus_1 - H_wheel_1) - 6*e0'*(3*H_bus_2 - H_wheel_2) - (e1^2*e1'*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 +
-///     H_wheel_3)) + e2*(18*H_bus_3*(e0*e3' - e3*e0') - 6*(H_wheel_1*(e1'*(e3 - e0) + e2*(e0' + e3') + e1*(e0' - e3')) + H_wheel_2*(e1'*(e3 - e0) + e2*(e0' + e3') +
-///     e1*(e0' - e3')))/(3 + sqrt(3)) + 6*e2*(3*e1'*H_bus_3 - e3'*(3*H_bus_1 - H_wheel_1) - e0'*(3*H_bus_2 - H_wheel_2)) - 6*e1*(e0'*(3*H_bus_1 - H_wheel_1) +
-///     e3'*(H_wheel_2 - 3*H_bus_2)) + 6*e1'*(e0*(3*H_bus_1 - H_wheel_1) + e3*(H_wheel_2 - 3*H_bus_2)) - sqrt(3)*(2*H_wheel_1*(e3*e0' - e2*e1' - e0*e3') +
-///     2*H_wheel_2*(e3*e0' - e2*e1' - e0*e3') + H_wheel_3*(e3*(e0' + e1') + e1*(e0' - e3') + e2*(e0' - e1' + e3') - e0*(e1' + e3')))) - e0*(e1*e1'*(18*H_bus_2 -
-///     6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) +
-///     H_wheel_3*sqrt(3)) + e0'*(e3*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e0*(18*H_bus_2 - 6*H_wheel_2 +
-///     6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) - e1*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)))) + e3*(e1*(e1'*(6*H_wheel_1 -
-///     18*H_bus_1 - 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) - H_wheel_3*sqrt(3)) + e3'*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3))) -
-///     e3*e3'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3))))/(e0^2 + e1^2 + e2^2 + e3^2) - 18*e1*H_bus_3_2 -
-///     6*e3*(H_wheel_1_2 - 3*H_bus_1_2) - 6*e0*(H_wheel_2_2 - 3*H_bus_2_2) - 6*(e0'*(H_wheel_1 + H_wheel_2) - e0*(H_wheel_1_2 + H_wheel_2_2) + e3'*(H_wheel_1 +
-///     H_wheel_2) - e3*(H_wheel_1_2 + H_wheel_2_2))/(3 + sqrt(3)) - sqrt(3)*(H_wheel_3*(e0' + e3') - e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*H_wheel_3_2*(e0 +
-///     e3) + 2*e1*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
-/// f4 = 4*((e0^2*e0'*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)) + e3*(18*H_bus_3*(e1*e2' - e2*e1') + 6*(H_wheel_1*(e0'*(e1 + e2) + e3*(e1' -
-///     e2') - e0*(e1' + e2')) + H_wheel_2*(e0'*(e1 + e2) + e3*(e1' - e2') - e0*(e1' + e2')))/(3 + sqrt(3)) + 6*e3*(3*e0'*H_bus_3 + e2'*(H_wheel_1 - 3*H_bus_1) +
-///     e1'*(3*H_bus_2 - H_wheel_2)) - 6*e0*(e1'*(3*H_bus_1 - H_wheel_1) + e2'*(3*H_bus_2 - H_wheel_2)) + 6*e0'*(e1*(3*H_bus_1 - H_wheel_1) + e2*(3*H_bus_2 -
-///     H_wheel_2)) - sqrt(3)*(2*H_wheel_1*(e2*e1' - e3*e0' - e1*e2') + 2*H_wheel_2*(e2*e1' - e3*e0' - e1*e2') + H_wheel_3*(e2*(e1' - e0') + e0*(e1' + e2') + e3*(e2' -
-///     e0' - e1') - e1*(e0' + e2')))) + e1*(e0*e0'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e2*e2'*(18*H_bus_2 -
-///     6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e1'*(e2*(6*H_wheel_1 - 18*H_bus_1 - 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) -
-///     H_wheel_3*sqrt(3)) + e1*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e0*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 +
-///     2*H_wheel_2 + H_wheel_3)))) + e2*(e0*(e0'*(6*H_wheel_1 - 18*H_bus_1 - 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) - H_wheel_3*sqrt(3)) + e2'*(18*H_bus_3 +
-///     sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3))) - e2*e2'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3))))/(e0^2 +
-///     e1^2 + e2^2 + e3^2) - 18*e0'*H_bus_3 - 6*e2'*(H_wheel_1 - 3*H_bus_1) - 6*e1'*(3*H_bus_2 - H_wheel_2) + 18*e0*H_bus_3_2 - 6*e2*(3*H_bus_1_2 - H_wheel_1_2) -
-///     6*e1*(H_wheel_2_2 - 3*H_bus_2_2) - 6*(e1'*(H_wheel_1 + H_wheel_2) - e2'*(H_wheel_1 + H_wheel_2) - e1*(H_wheel_1_2 + H_wheel_2_2) + e2*(H_wheel_1_2 +
-///     H_wheel_2_2))/(3 + sqrt(3)) - sqrt(3)*(e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - H_wheel_3*(e2' - e1') - 2*H_wheel_3_2*(e1 - e2) - 2*e0*(H_wheel_1_2 +
-///     H_wheel_2_2 + H_wheel_3_2)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
+/// f1 = 4*(3*e3*(e0*(e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) - 6*e0*H_bus_3_2) + e3*(e2'*(6*H_bus_2 + H_wheel_1 -
+///     H_wheel_2) + e1'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) - 6*e3*H_bus_3_2)) - 3*e1*(e2*(e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2'*(6*H_bus_1 - H_wheel_1 +
+///     H_wheel_2) + e1*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2) + e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) + e1*(e2'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) -
+///     6*e3'*H_bus_3 + 6*e3*H_bus_3_2 + e1*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) + e0*(e3'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) - 6*e2'*H_bus_3 + e0*(6*H_bus_1_2 -
+///     H_wheel_1_2 + H_wheel_2_2)) + e3*(6*e1'*H_bus_3 + e3'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2))) -
+///     3*e2*(e2*(e1'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) - 6*e3'*H_bus_3 + 6*e3*H_bus_3_2 + e2*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2)) + e0*(6*e1'*H_bus_3 -
+///     e3'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) - e0*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2)) + e3*(6*e2'*H_bus_3 + e3'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) +
+///     e3*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2))) + sqrt(3)*(e1*(e1*(e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+///     e1*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2) + e2*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2) - 2*e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) +
+///     e0*(e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e0*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)) + e2*(e1'*(H_wheel_1
+///     + H_wheel_2 - H_wheel_3) + e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e2*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)) + e3*(e3'*(H_wheel_1 + H_wheel_2 -
+///     H_wheel_3) - e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2))) + e2*(e2*(e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
+///     e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2) - 2*e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) +
+///     e0*(e3'*(H_wheel_3 - H_wheel_1 - H_wheel_2) - e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e0*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)) - e3*(e3'*(H_wheel_3
+///     - H_wheel_1 - H_wheel_2) + e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2))) + e3*(e0*(e1'*(H_wheel_3 - H_wheel_1 -
+///     H_wheel_2) + e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*e0*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) - e3*(e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) +
+///     e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^2)
+/// f2 = 4*(3*e0*(e3*(e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + e0*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) +
+///     e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) + e0*(e3'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) - 6*e2'*H_bus_3 + 6*e2*H_bus_3_2 + e0*(6*H_bus_1_2 - H_wheel_1_2 +
+///     H_wheel_2_2)) + e1*(e2'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) - 6*e3'*H_bus_3 + e1*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) + e2*(6*e0'*H_bus_3 + e2'*(6*H_bus_1
+///     - H_wheel_1 + H_wheel_2) + e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2))) - 3*e3*(e1*(e2'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) - 6*e0'*H_bus_3 + e1*(6*H_bus_2_2
+///     + H_wheel_1_2 - H_wheel_2_2)) + e3*(6*e2'*H_bus_3 + e0'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + e3*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2))) +
+///     3*e2*(e1*(e0'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e3'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*e1*H_bus_3_2) + e3*(6*e3'*H_bus_3 - e2'*(6*H_bus_2 + H_wheel_1 -
+///     H_wheel_2) + 6*e3*H_bus_3_2) + e2*(e3'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e0'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) + 6*e2*H_bus_3_2 + e3*(H_wheel_2_2 -
+///     6*H_bus_2_2 - H_wheel_1_2))) - sqrt(3)*(e0*(e0*(e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e0*(H_wheel_1_2 +
+///     H_wheel_2_2 - 2*H_wheel_3_2) + e3*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2) - 2*e2*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) + e1*(e2'*(H_wheel_3 - H_wheel_1
+///     - H_wheel_2) + e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e1*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)) + e2*(e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) -
+///     e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)) + e3*(e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e3'*(H_wheel_1 +
+///     H_wheel_2 - H_wheel_3) + e3*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2))) + e2*(e2*(e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e3'*(H_wheel_1 + H_wheel_2 -
+///     H_wheel_3) + e3*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2) - 2*e2*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) + e1*(e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) +
+///     e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*e1*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) - e3*(e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3'*(2*H_wheel_1 +
+///     2*H_wheel_2 + H_wheel_3) + 2*e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2))) + e3*(e3*(e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e2'*(2*H_wheel_1 + 2*H_wheel_2 +
+///     H_wheel_3) + e3*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2)) - e1*(e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+///     e1*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^2)
+/// f3 = 4*(3*e3*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) + e3*(6*e1'*H_bus_3 + e0'*(H_wheel_2 -
+///     6*H_bus_2 - H_wheel_1) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2))) - 3*e0*(e2*(6*e3'*H_bus_3 + e1'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + e2*(H_wheel_2_2 -
+///     6*H_bus_2_2 - H_wheel_1_2)) - e3*(e3'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e0'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + e3*(6*H_bus_2_2 + H_wheel_1_2 -
+///     H_wheel_2_2) + e0*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) - e0*(6*e1'*H_bus_3 - e3'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) - 6*e1*H_bus_3_2 - e0*(H_wheel_2_2 -
+///     6*H_bus_2_2 - H_wheel_1_2)) - e1*(e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) - 6*e0'*H_bus_3 + e1*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2))) -
+///     3*e1*(e2*(e3'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e0'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) + 6*e2*H_bus_3_2) - e1*(e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) +
+///     e3'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) - 6*e1*H_bus_3_2 + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) + e3*(6*e3'*H_bus_3 + e1'*(H_wheel_1 - 6*H_bus_1 -
+///     H_wheel_2) + 6*e3*H_bus_3_2)) - sqrt(3)*(e0*(e0*(e3'*(H_wheel_3 - H_wheel_1 - H_wheel_2) - e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e0*(H_wheel_1_2 +
+///     H_wheel_2_2 - 2*H_wheel_3_2) + e3*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2) + 2*e1*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) + e1*(e1'*(H_wheel_1 + H_wheel_2
+///     - H_wheel_3) + e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e1*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)) + e2*(e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
+///     e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)) + e3*(e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3'*(H_wheel_1 +
+///     H_wheel_2 - H_wheel_3) + e3*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2))) + e1*(e3*(e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3'*(2*H_wheel_1 + 2*H_wheel_2 +
+///     H_wheel_3) + 2*e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) - e1*(e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) +
+///     e3*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2) - 2*e1*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) - e2*(e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e3'*(H_wheel_1
+///     + H_wheel_2 - H_wheel_3) - 2*e2*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2))) + e3*(e2*(e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - e0'*(2*H_wheel_1 + 2*H_wheel_2 +
+///     H_wheel_3) + e2*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)) + e3*(e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) - e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+///     e3*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^2)
+/// f4 = 4*(3*e1*(e1*(e2'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) - 6*e0'*H_bus_3 + e1*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2)) + e3*(6*e2'*H_bus_3 + e0'*(6*H_bus_1 -
+///     H_wheel_1 + H_wheel_2) + e3*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2)) - e2*(e2'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e1'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) +
+///     e2*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) + e1*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) + e0*(6*e1'*H_bus_3 + e0'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) +
+///     6*e1*H_bus_3_2 + e0*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2))) - 3*e2*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2*(6*H_bus_1_2 -
+///     H_wheel_1_2 + H_wheel_2_2)) + e3*(6*e1'*H_bus_3 + e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2))) +
+///     3*e0*(e2*(6*e2'*H_bus_3 + e0'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) + 6*e2*H_bus_3_2) - e3*(e2'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e1'*(6*H_bus_1 - H_wheel_1 +
+///     H_wheel_2) - 6*e3*H_bus_3_2) - e0*(e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) - 6*e0*H_bus_3_2 + e2*(6*H_bus_1_2 -
+///     H_wheel_1_2 + H_wheel_2_2))) + sqrt(3)*(e2*(e2*(e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2*(H_wheel_1_2 +
+///     H_wheel_2_2 - 2*H_wheel_3_2)) + e3*(e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) - e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3*(H_wheel_1_2 + H_wheel_2_2 -
+///     2*H_wheel_3_2))) + e0*(e3*(e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) +
+///     e0*(2*e0*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2) - e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) - e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - e1*(H_wheel_1_2 +
+///     H_wheel_2_2 - 2*H_wheel_3_2) - e2*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2)) + e1*(e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e1'*(2*H_wheel_1 + 2*H_wheel_2 +
+///     H_wheel_3) + 2*e1*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) + e2*(e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+///     2*e2*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2))) + e1*(e3*(e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+///     e3*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2)) - e1*(e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e1*(H_wheel_1_2 +
+///     H_wheel_2_2 - 2*H_wheel_3_2) + e2*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2)) - e2*(e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e2'*(H_wheel_1 + H_wheel_2 -
+///     H_wheel_3) + e2*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^2)
 /// f5 = T + 4*H_wheel_3_2/3
 /// f6 = -2*e0'^2 - 2*e1'^2 - 2*e2'^2 - 2*e3'^2
 /// ```
@@ -199,37 +215,34 @@ pub use super::code::lagrange::forcing;
 /// H_wheel_1_2 = K*w_S_in_axle_base_1_2
 /// H_wheel_2_2 = K*w_S_in_axle_base_2_2
 /// H_wheel_3_2 = J*w_S_in_axle_base_3_2
-/// r1 = (36*H_bus_1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*H_bus_2*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*H_wheel_1*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' +
-///     e3') + e1*(e0' - e3')) + 6*H_wheel_2*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' + e3') - e1*(e0' - e3')) + 36*H_bus_3_2*(e0^2 + e1^2 + e2^2 + e3^2) +
-///     6*K*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) - e0*(6*e2'*H_bus_3 + e3'*(H_wheel_2 -
-///     6*H_bus_2 - H_wheel_1) + e0*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) - e1*(6*e3'*H_bus_3 + e2'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e1*(H_wheel_1_2 -
-///     6*H_bus_1_2 - H_wheel_2_2)) + e3*(6*e1'*H_bus_3 + e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)))/(3*A + 2*K) +
-///     sqrt(3)*(e3*(2*e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3*(4*H_wheel_1_2 - 3*T + 4*H_wheel_2_2)) -
-///     K*(e0*(2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) +
-///     e1*(2*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) + e2*(e2*(3*T +
-///     2*H_wheel_1_2 + 2*H_wheel_2_2) - 2*e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2)) + e3*(e3*(3*T + 2*H_wheel_1_2 +
-///     2*H_wheel_2_2) - 2*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3)))/(3*A + 2*K) - e0*(2*e1'*(H_wheel_3 - H_wheel_1 -
-///     H_wheel_2) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2)) - e1*(2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) +
-///     2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e1*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2)) - e2*(2*e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*e3'*(H_wheel_1 +
-///     H_wheel_2 - H_wheel_3) + e2*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2))))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
-/// w3' = (3*r1 - K*(A + K)*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 +
-///     e1^2 + e2^2 + e3^2)*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' + e1*e2' -
-///     e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' +
-///     e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T +
-///     2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A + 2*K) + sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e3*e0' - e2*e1' +
-///     e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A +
-///     2*K)))*(e0^2 + e1^2 + e2^2 + e3^2)))/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K)))))
-/// w2' = (9*K*w3'*(A + K)/(3*A + 2*K) - (36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2)
-///     + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' + e1*e2' -
-///     e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' +
-///     e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T +
-///     2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A + 2*K) + sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e3*e0' - e2*e1' +
-///     e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*B
-///     + K*(2 - K/(3*A + 2*K))))
-/// w1' = (3*K*(w2' + w3') - (36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 +
-///     e1^2 + e2^2 + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
-///     2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 +
-///     e2^2 + e3^2))/(3*(3*A + 2*K))
+/// r1 = 2*(18*H_bus_3_2*(e0^2 + e1^2 + e2^2 + e3^2) - 18*H_bus_1*(e2*e0' - e0*e2' + e3*e1' - e1*e3') - 18*H_bus_2*(e0*e1' - e1*e0' + e3*e2' - e2*e3') -
+///     3*H_wheel_1*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' + e3') - e1*(e0' - e3')) - 3*H_wheel_2*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' -
+///     e3')) - sqrt(3)*(e0*(e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*e0*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) -
+///     e3*(e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) + e1*(e0'*(H_wheel_1 +
+///     H_wheel_2 - H_wheel_3) + e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*e1*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) + e2*(e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2)
+///     + e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*e2*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - sqrt(3)*(3*T + 4*H_wheel_3_2)/9
+///     - K*(sqrt(3)*(3*T + 4*H_wheel_3_2) + 2*(18*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 -
+///     H_wheel_2) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 -
+///     H_wheel_3) + (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 + H_wheel_2_2 -
+///     2*H_wheel_3_2)))/(e0^2 + e1^2 + e2^2 + e3^2))/(9*(3*A + 2*K)) + K*(A + K)*(2*(18*H_bus_3*(e0*e1' - e1*e0' + e3*e2' - e2*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+///     e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2) - K*(18*H_bus_3*(e0*e2' - e2*e0' - e3*e1'
+///     + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)
+///     + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)
+///     + (e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)))/(3*A + 2*K) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 -
+///     H_wheel_3) + (e0*e1' - e1*e0' + e3*e2' - e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(2*H_wheel_3_2 - H_wheel_1_2 -
+///     H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2) - sqrt(3)*(1 + K/(3*A + 2*K))*(3*T + 4*H_wheel_3_2))/(3*(3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K))))
+/// w3' = 3*r1/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A + 2*K)))))
+/// w2' = -(sqrt(3)*(3*T + 4*H_wheel_3_2) + 2*(K*(18*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 -
+///     H_wheel_2) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 -
+///     H_wheel_3) + (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 + H_wheel_2_2 -
+///     2*H_wheel_3_2)))/(3*A + 2*K) - 18*H_bus_3*(e0*e1' - e1*e0' + e3*e2' - e2*e3') - 3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) -
+///     3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2) - sqrt(3)*((e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) +
+///     (e0*e1' - e1*e0' + e3*e2' - e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2)))/(e0^2 +
+///     e1^2 + e2^2 + e3^2) + K*(sqrt(3)*(3*T + 4*H_wheel_3_2) - 9*w3'*(A + K))/(3*A + 2*K))/(3*(3*B + K*(2 - K/(3*A + 2*K))))
+/// w1' = (3*K*(w2' + w3') - sqrt(3)*(3*T + 4*H_wheel_3_2) - 2*(18*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 +
+///     H_wheel_1 - H_wheel_2) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 +
+///     H_wheel_2 - H_wheel_3) + (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 + H_wheel_2_2 -
+///     2*H_wheel_3_2)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*A + 2*K))
 /// s' = (3*T + 4*H_wheel_3_2)/(3*J) - sqrt(3)*(w1' + w2' + w3')/3
 /// e0'' = -e0*(e3^2*(e0'^2 + e1'^2 + e2'^2) + e0*(e0*(e1'^2 + e2'^2 + e3'^2) - 2*e0'*(e1*e1' + e2*e2' + e3*e3')) + e1*(e1*(e0'^2 + e2'^2 + e3'^2) - 2*e1'*(e2*e2' +
 ///     e3*e3')) + e2*(e2*(e0'^2 + e1'^2 + e3'^2) - 2*e3*e2'*e3'))/(e0^2 + e1^2 + e2^2 + e3^2)^2 - e1*w1'/2 - e2*w2'/2 - e3*w3'/2

@@ -12,13 +12,13 @@ pub use super::code::kane::{
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3.
 ///
-/// 838 operations, 6 sines and cosines, 2 other functions, step by step: the code names every term.
+/// 839 operations, 6 sines and cosines, 2 other functions, step by step: the code names every term.
 #[doc(inline)]
 pub use super::code::kane::mass_matrix;
 
 /// Right-hand side of the linear system; unknowns (u1', u2', u3').
 ///
-/// 1116 operations, 8 sines and cosines, 2 other functions, step by step: the code names every term.
+/// 1114 operations, 8 sines and cosines, 2 other functions, step by step: the code names every term.
 #[doc(inline)]
 pub use super::code::kane::forcing;
 

@@ -15,6 +15,10 @@ use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
+/// Number of subterms, those behind names included, up to which a term is also brought over a common denominator
+/// without its names.
+const MOST_NAMED_PARTS: usize = 500;
+
 /// Simplifier of terms. It remembers the result for each term.
 #[derive(Clone, Default)]
 pub struct Simplifier {
@@ -191,10 +195,22 @@ fn mixes_angles(arena: &Arena, polynomial: &LaurentPolynomial) -> bool {
         .any(|angle| angle_atoms(arena, angle).into_iter().any(|(atom, _)| *seen.entry(atom).or_insert(angle) != angle))
 }
 
-/// Normal form of the term `e` as a fraction, with numerator and factors of the denominator in
-/// short form. `None` if the budget of multiplications is used up.
+/// Normal form of the term `e` as a fraction, with numerator and factors of the denominator in short form. The shorter
+/// one of two is taken: with named terms as generators and, for a term with few subterms, with the terms that the names
+/// stand for, which may cancel. `None` if the budget of multiplications is used up.
 fn fraction_in_short_form(arena: &mut Arena, e: Expr, budget: u64) -> Option<Expr> {
-    let mut normalizer = Normalizer::for_rewriting(budget);
+    let own = short_form_of_fraction(arena, e, Normalizer::for_rewriting(budget));
+    let parts = arena.reachable(&[e]);
+    if parts.len() > MOST_NAMED_PARTS || !parts.iter().any(|part| arena.named_term_value(*part).is_some()) {
+        return own;
+    }
+    let written_out = short_form_of_fraction(arena, e, Normalizer::new(budget));
+    let count = |form: &Expr| operation_count(arena, *form);
+    own.into_iter().chain(written_out).min_by_key(count)
+}
+
+/// Normal form of the term `e` in the ring of a normalizer, in short form. `None` if its budget is used up.
+fn short_form_of_fraction(arena: &mut Arena, e: Expr, mut normalizer: Normalizer) -> Option<Expr> {
     let form = normalizer.normal_form(arena, e)?;
     let short = |arena: &mut Arena, p: &LaurentPolynomial| {
         let reduced = reduce(arena, p);
@@ -277,18 +293,19 @@ fn scale_by_monomial(arena: &mut Arena, monomial: &Monomial, content: &Rational,
 }
 
 /// Number of arithmetic operations in a term, the measure of short forms; a function counts as 4. A
-/// shared subterm counts once, a named term not at all.
+/// shared subterm counts once. A named term counts nothing if a document has defined it.
 #[must_use]
 pub fn operation_count(arena: &Arena, e: Expr) -> usize {
     operation_count_of_all(arena, &[e])
 }
 
 /// Number of arithmetic operations in several terms together; a function counts as 4. A shared
-/// subterm counts once, a named term not at all.
+/// subterm counts once. A named term counts nothing if a document has defined it, and otherwise as
+/// the term that it abbreviates.
 #[must_use]
 pub fn operation_count_of_all(arena: &Arena, list: &[Expr]) -> usize {
     arena
-        .subterms_up_to_names(list)
+        .shown_subterms(list)
         .into_iter()
         .map(|part| match arena.node(part) {
             Node::Number(_) | Node::Symbol(_) | Node::Pi | Node::Named(..) => 0,

@@ -7,7 +7,7 @@ use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u_P4.
 ///
-/// 562 operations, 5 sines and cosines.
+/// 561 operations, 5 sines and cosines.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -477,34 +477,33 @@ pub fn mass_matrix<S: Scalar>(
         .mul_add(cos_q_P2, h_rod5_frame_rod2_frame_1 * sin_q_P2);
     let h_rod5_frame_rod1_frame_2 = h_rod5_frame_in_rod2_frame_2
         + h_rod5_frame_rod2_frame_1_of_place;
-    let m11_of_place = ratio_q_P3_u_P4
-        .mul_add(J_rod3_frame_in_rod2_frame_3, h_rod4_frame_rod2_frame_3);
-    let m11_of_place_2 = (-ratio_q_P3_u_P4)
-        .mul_add(
-            h_rod3_frame_rod1_frame_2,
-            ratio_q_P2_u_P4 * J_rod2_frame_in_rod1_frame_2,
-        );
-    let m11_of_place_3 = ratio_q_P5_u_P4
-        .mul_add(h_rod5_frame_rod1_frame_2, -h_rod4_frame_rod1_frame_2);
-    let m11_of_place_4 = J_rod4_frame_22 + ratio_q_P1_u_P4 * ratio_q_P1_u_P4 * J_rod1_frame_22;
-    let m11_of_place_5 = ratio_q_P3_u_P4 * ratio_q_P3_u_P4 * J_rod3_frame_11
-        + ratio_q_P2_u_P4 * ratio_q_P2_u_P4 * J_rod2_frame_33;
-    let m11_of_place_6 = ratio_q_P5_u_P4 * ratio_q_P5_u_P4 * J_rod5_frame_11_2 + m11_of_place_4;
-    let m11_of_place_7 = m11_of_place_5 + m11_of_place_6;
+    let ratio_q_p5_u_p4_doubled = S::int(2) * ratio_q_P5_u_P4;
+    let ratio_q_p3_u_p4_doubled = S::int(2) * ratio_q_P3_u_P4;
+    let m11_of_place = ratio_q_P2_u_P4
+        .mul_add(J_rod2_frame_in_rod1_frame_2, -h_rod4_frame_rod1_frame_2);
+    let m11_of_place_2 = ratio_q_P5_u_P4 * ratio_q_P5_u_P4 * J_rod5_frame_11_2 + J_rod4_frame_22;
+    let m11_of_place_3 = ratio_q_P2_u_P4
+        * ((-h_rod4_frame_rod2_frame_3)
+            .mul_add(S::int(2), ratio_q_P2_u_P4 * J_rod2_frame_33)
+            + h_rod5_frame_rod2_frame_3 * ratio_q_p5_u_p4_doubled
+            - J_rod3_frame_in_rod2_frame_3 * ratio_q_p3_u_p4_doubled)
+        + ratio_q_P1_u_P4
+            * ((-h_rod5_frame_rod1_frame_2)
+                .mul_add(ratio_q_p5_u_p4_doubled, ratio_q_P1_u_P4 * J_rod1_frame_22)
+                + h_rod3_frame_rod1_frame_2 * ratio_q_p3_u_p4_doubled - S::int(2) * m11_of_place);
+    let m11_of_place_4 = ratio_q_P3_u_P4
+        * ((-ratio_q_P3_u_P4)
+            .mul_add(J_rod3_frame_11, S::int(2) * J_rod4_frame_in_rod3_frame_1)
+            + h_rod5_frame_rod3_frame_1 * ratio_q_p5_u_p4_doubled) - m11_of_place_2;
+    let m11_of_place_5 = m11_of_place_3 - m11_of_place_4;
     // Entries that are not zero; upper triangle.
-    let m11 = S::ratio(1, 6) * ratio_q_P2_u_P4
-        * ratio_q_P5_u_P4.mul_add(h_rod5_frame_rod2_frame_3, -m11_of_place)
-        - S::ratio(1, 6) * ratio_q_P3_u_P4
-            * ratio_q_P5_u_P4
-                .mul_add(h_rod5_frame_rod3_frame_1, J_rod4_frame_in_rod3_frame_1)
-        - S::ratio(1, 6) * ratio_q_P1_u_P4 * (m11_of_place_2 + m11_of_place_3)
-        + S::ratio(1, 12) * m11_of_place_7;
+    let m11 = S::ratio(1, 12) * m11_of_place_5;
     [[m11]]
 }
 
 /// Right-hand side of the linear system; unknowns (u_P4').
 ///
-/// 1515 operations, 5 sines and cosines.
+/// 1514 operations, 5 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 1] {
     let Parameters { l, m, g } = *p;
@@ -1678,12 +1677,13 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 1] {
     let f1_of_place = ratio_q_P5_u_P4.mul_add(F_w_rod5_frame_3, F_w_rod4_frame_2);
     let f1_of_place_2 = ratio_q_P2_u_P4
         .mul_add(F_w_rod2_frame_3, ratio_q_P3_u_P4 * F_w_rod3_frame_1);
-    let f1_of_place_3 = F_w_rod1_frame_in_rod2_frame_1
-        .mul_add(sin_q_P2, F_w_rod1_frame_in_rod2_frame_2 * cos_q_P2);
-    let f1_of_place_4 = f1_of_place + f1_of_place_2;
+    let f1_of_place_3 = ratio_q_P1_u_P4
+        * (F_w_rod1_frame_in_rod2_frame_1
+            .mul_add(sin_q_P2, F_w_rod1_frame_in_rod2_frame_2 * cos_q_P2)
+            + F_w_rod1_frame_2) - f1_of_place;
+    let f1_of_place_4 = f1_of_place_2 - f1_of_place_3;
     // Values.
-    let f1 = S::ratio(1, 12) * f1_of_place_4
-        - S::ratio(1, 12) * ratio_q_P1_u_P4 * (F_w_rod1_frame_2 + f1_of_place_3);
+    let f1 = S::ratio(1, 12) * f1_of_place_4;
     [f1]
 }
 
@@ -5460,7 +5460,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
 
 /// Matrix of the linear system M(q) u' = f(q, u) row by row, and its right-hand side, which share terms.
 ///
-/// 1697 operations, 5 sines and cosines.
+/// 1696 operations, 5 sines and cosines.
 #[must_use]
 pub fn linear_system<S: Scalar>(
     p: &Parameters<S>,
@@ -6771,36 +6771,36 @@ pub fn linear_system<S: Scalar>(
         .mul_add(cos_q_P2, h_rod5_frame_rod2_frame_1 * sin_q_P2);
     let h_rod5_frame_rod1_frame_2 = h_rod5_frame_in_rod2_frame_2
         + h_rod5_frame_rod2_frame_1_of_place;
+    let ratio_q_p5_u_p4_by_12 = S::ratio(1, 12) * ratio_q_P5_u_P4;
+    let ratio_q_p5_u_p4_doubled = S::int(2) * ratio_q_P5_u_P4;
+    let ratio_q_p3_u_p4_doubled = S::int(2) * ratio_q_P3_u_P4;
+    let m11_of_place = ratio_q_P2_u_P4
+        .mul_add(J_rod2_frame_in_rod1_frame_2, -h_rod4_frame_rod1_frame_2);
     let ratio_q_p1_u_p4_by_12 = S::ratio(1, 12) * ratio_q_P1_u_P4;
     let ratio_q_p2_u_p4_by_12 = S::ratio(1, 12) * ratio_q_P2_u_P4;
     let ratio_q_p3_u_p4_by_12 = S::ratio(1, 12) * ratio_q_P3_u_P4;
-    let ratio_q_p5_u_p4_by_12 = S::ratio(1, 12) * ratio_q_P5_u_P4;
-    let m11_of_place = ratio_q_P3_u_P4
-        .mul_add(J_rod3_frame_in_rod2_frame_3, h_rod4_frame_rod2_frame_3);
-    let m11_of_place_2 = (-ratio_q_P3_u_P4)
-        .mul_add(
-            h_rod3_frame_rod1_frame_2,
-            ratio_q_P2_u_P4 * J_rod2_frame_in_rod1_frame_2,
-        );
-    let m11_of_place_3 = ratio_q_P5_u_P4
-        .mul_add(h_rod5_frame_rod1_frame_2, -h_rod4_frame_rod1_frame_2);
-    let f1_of_place = F_w_rod1_frame_in_rod2_frame_1
-        .mul_add(sin_q_P2, F_w_rod1_frame_in_rod2_frame_2 * cos_q_P2);
     // Values.
     let m11 = S::ratio(1, 12) * J_rod4_frame_22
-        - S::ratio(1, 6) * ratio_q_P3_u_P4
-            * ratio_q_P5_u_P4
-                .mul_add(h_rod5_frame_rod3_frame_1, J_rod4_frame_in_rod3_frame_1)
-        + ratio_q_P1_u_P4 * J_rod1_frame_22 * ratio_q_p1_u_p4_by_12
-        + ratio_q_P2_u_P4 * J_rod2_frame_33 * ratio_q_p2_u_p4_by_12
-        + ratio_q_P3_u_P4 * J_rod3_frame_11 * ratio_q_p3_u_p4_by_12
         + ratio_q_P5_u_P4 * J_rod5_frame_11_2 * ratio_q_p5_u_p4_by_12
-        + S::ratio(1, 6) * ratio_q_P2_u_P4
-            * ratio_q_P5_u_P4.mul_add(h_rod5_frame_rod2_frame_3, -m11_of_place)
-        - S::ratio(1, 6) * ratio_q_P1_u_P4 * (m11_of_place_2 + m11_of_place_3);
-    let f1 = S::ratio(1, 12) * F_w_rod4_frame_2 + F_w_rod2_frame_3 * ratio_q_p2_u_p4_by_12
-        + F_w_rod3_frame_1 * ratio_q_p3_u_p4_by_12 + F_w_rod5_frame_3 * ratio_q_p5_u_p4_by_12
-        - ratio_q_p1_u_p4_by_12 * (F_w_rod1_frame_2 + f1_of_place);
+        + ratio_q_p1_u_p4_by_12
+            * ((-h_rod5_frame_rod1_frame_2)
+                .mul_add(ratio_q_p5_u_p4_doubled, ratio_q_P1_u_P4 * J_rod1_frame_22)
+                + h_rod3_frame_rod1_frame_2 * ratio_q_p3_u_p4_doubled - S::int(2) * m11_of_place)
+        + ratio_q_p2_u_p4_by_12
+            * ((-h_rod4_frame_rod2_frame_3)
+                .mul_add(S::int(2), ratio_q_P2_u_P4 * J_rod2_frame_33)
+                + h_rod5_frame_rod2_frame_3 * ratio_q_p5_u_p4_doubled
+                - J_rod3_frame_in_rod2_frame_3 * ratio_q_p3_u_p4_doubled)
+        + ratio_q_p3_u_p4_by_12
+            * ((-J_rod4_frame_in_rod3_frame_1)
+                .mul_add(S::int(2), ratio_q_P3_u_P4 * J_rod3_frame_11)
+                - h_rod5_frame_rod3_frame_1 * ratio_q_p5_u_p4_doubled);
+    let f1 = S::ratio(1, 12) * F_w_rod4_frame_2 + F_w_rod5_frame_3 * ratio_q_p5_u_p4_by_12
+        - ratio_q_p1_u_p4_by_12
+            * (F_w_rod1_frame_in_rod2_frame_1
+                .mul_add(sin_q_P2, F_w_rod1_frame_in_rod2_frame_2 * cos_q_P2)
+                + F_w_rod1_frame_2) + F_w_rod2_frame_3 * ratio_q_p2_u_p4_by_12
+        + F_w_rod3_frame_1 * ratio_q_p3_u_p4_by_12;
     ([m11], [f1])
 }
 

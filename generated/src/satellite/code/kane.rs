@@ -165,7 +165,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [S; 4] {
 
 /// The accelerations (w1', w2', w3', s'), solved for when this code was generated.
 ///
-/// 142 operations, 1 sine and cosine, 1 other function.
+/// 138 operations, 1 sine and cosine, 1 other function.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [S; 4] {
@@ -175,24 +175,20 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [S
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
+    // w1 + w2
+    let w1_plus_w2 = w1 + w2;
     let w_S_in_axle_base_1_of_ = (S::int(3)).sqrt();
-    // 1/(3 + sqrt(3))
-    let w_S_in_axle_base_1_of__2 = S::int(1) / (S::int(3) + w_S_in_axle_base_1_of_);
-    let w_S_in_axle_base_1_of__3 = S::int(3) * w_S_in_axle_base_1_of__2;
     let w_S_in_axle_base_1_of_w3 = w3 * w_S_in_axle_base_1_of_;
-    // w_S_in_axle_base_1_of__2 - 1
-    let w_S_in_axle_base_1_of__4 = w_S_in_axle_base_1_of__2 - S::int(1);
-    let w_S_in_axle_base_1_of__5 = S::int(3) * w_S_in_axle_base_1_of__4;
+    // 3*w1_plus_w2/(3 + sqrt(3)) + w_S_in_axle_base_1_of_w3
+    let w_S_in_axle_base_1_of_w1_w2_w3 = S::int(3) * w1_plus_w2
+        / (S::int(3) + w_S_in_axle_base_1_of_) + w_S_in_axle_base_1_of_w3;
     // w_S_in_axle_base_1 = 3*w1*(1/(3 + sqrt(3)) - 1) + 3*w2/(3 + sqrt(3)) + w3*sqrt(3)
-    let w_S_in_axle_base_1 = w2
-        .mul_add(w_S_in_axle_base_1_of__3, w_S_in_axle_base_1_of_w3)
-        + w1 * w_S_in_axle_base_1_of__5;
+    let w_S_in_axle_base_1 = (-w1).mul_add(S::int(3), w_S_in_axle_base_1_of_w1_w2_w3);
     // w_S_in_axle_base_2 = 3*w1/(3 + sqrt(3)) + 3*w2*(1/(3 + sqrt(3)) - 1) + w3*sqrt(3)
-    let w_S_in_axle_base_2 = w1
-        .mul_add(w_S_in_axle_base_1_of__3, w_S_in_axle_base_1_of_w3)
-        + w2 * w_S_in_axle_base_1_of__5;
+    let w_S_in_axle_base_2 = (-w2).mul_add(S::int(3), w_S_in_axle_base_1_of_w1_w2_w3);
     // w_S_in_axle_base_3 = w1*sqrt(3) + w2*sqrt(3) + w3*sqrt(3)
-    let w_S_in_axle_base_3 = w_S_in_axle_base_1_of_ * (w1 + w2) + w_S_in_axle_base_1_of_w3;
+    let w_S_in_axle_base_3 = w1_plus_w2
+        .mul_add(w_S_in_axle_base_1_of_, w_S_in_axle_base_1_of_w3);
     // w_axle_base_in_W_turn1_1 = w_S_in_axle_base_1*cos(phi) + w_S_in_axle_base_2*sin(phi)
     let w_axle_base_in_W_turn1_1 = w_S_in_axle_base_2
         .mul_add(sin_phi, w_S_in_axle_base_1 * cos_phi);
@@ -250,14 +246,15 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [S
     // b_alpha_S_in_axle_base_3 = b_alpha_W_3 + b_s_dot*G_s_dot
     let b_alpha_S_in_axle_base_3 = b_s_dot.mul_add(G_s_dot, b_alpha_W_3);
     // K_alpha_S_in_axle_base_3 = J*(G_s_dot - 1)
-    let K_alpha_S_in_axle_base_3 = J * (G_s_dot - S::int(1));
-    // b - b_2
-    let b_minus_b_2 = b - b_2;
-    let w1_times_27 = S::int(27) * w1;
-    let w2_times_27 = S::int(27) * w2;
+    let K_alpha_S_in_axle_base_3 = J.mul_add(G_s_dot, -J);
+    let b_w3_dot_of_place = b_alpha_S_in_axle_base_3 * w_S_in_axle_base_1_of_;
+    // sqrt(3)*(b - b_2)
+    let b_w3_dot_of_b_b_2 = w_S_in_axle_base_1_of_ * (b - b_2);
+    // w1*H_bus_2 - w2*H_bus_1
+    let b_w3_dot_of_w1_w2 = (-w2).mul_add(H_bus_1, w1 * H_bus_2);
     // b_w3_dot = 27*w1*H_bus_2 - 27*w2*H_bus_1 + sqrt(3)*(b - b_2 + b_alpha_S_in_axle_base_3)
-    let b_w3_dot = w_S_in_axle_base_1_of_ * (b_alpha_S_in_axle_base_3 + b_minus_b_2)
-        + H_bus_2 * w1_times_27 - H_bus_1 * w2_times_27;
+    let b_w3_dot = b_w3_dot_of_w1_w2
+        .mul_add(S::int(27), b_w3_dot_of_place + b_w3_dot_of_b_b_2);
     let c_times_3 = S::int(3) * C;
     // 2*K + c_times_3
     let k_doubled_plus_c_times_3 = K.mul_add(S::int(2), c_times_3);
@@ -267,49 +264,49 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 4]) -> [S
     let over_D_w3_dot = S::int(1) / K_w3_dot;
     // G_w3_dot = K*over_D_w3_dot
     let G_w3_dot = K * over_D_w3_dot;
-    // b_alpha_S_in_axle_base_3*sqrt(3) + w_S_in_axle_base_1_of__3*b_minus_b_2
-    let b_w2_dot_of_place = w_S_in_axle_base_1_of__3
-        .mul_add(b_minus_b_2, b_alpha_S_in_axle_base_3 * w_S_in_axle_base_1_of_);
-    // b_w3_dot*G_w3_dot + b_w2_dot_of_place
-    let b_w2_dot_of_place_2 = b_w3_dot.mul_add(G_w3_dot, b_w2_dot_of_place);
-    let w3_times_27 = S::int(27) * w3;
-    // b_w2_dot = 27*w3*H_bus_1 - 27*w1*H_bus_3 - 3*b + 3*(b - b_2)/(3 + sqrt(3)) +
-    //   b_alpha_S_in_axle_base_3*sqrt(3) + b_w3_dot*G_w3_dot
-    let b_w2_dot = (-b).mul_add(S::int(3), b_w2_dot_of_place_2) - H_bus_3 * w1_times_27
-        + H_bus_1 * w3_times_27;
+    // b_w3_dot*G_w3_dot + b_w3_dot_of_place
+    let b_w2_dot_of_place = b_w3_dot.mul_add(G_w3_dot, b_w3_dot_of_place);
+    // b_w3_dot_of_b_b_2 - 2*b_w2_dot_of_place
+    let b_w2_dot_of_place_2 = (-b_w2_dot_of_place).mul_add(S::int(2), b_w3_dot_of_b_b_2);
+    let w3_times_54 = S::int(54) * w3;
+    let h_bus_3_times_54 = S::int(54) * H_bus_3;
+    // b + b_2
+    let b_plus_b_2 = b + b_2;
+    let b_plus_b_2_times_3 = S::int(3) * b_plus_b_2;
+    // b_w2_dot = 54*w3*H_bus_1 - 54*w1*H_bus_3 - 3*b - 3*b_2 + sqrt(3)*(b_2 - b +
+    //   2*b_alpha_S_in_axle_base_3) + 2*b_w3_dot*G_w3_dot
+    let b_w2_dot = H_bus_1.mul_add(w3_times_54, -b_w2_dot_of_place_2)
+        - w1 * h_bus_3_times_54 - b_plus_b_2_times_3;
     let K_w2_dot_of_c_k = S::int(1) / k_doubled_plus_c_times_3;
     // K_w2_dot = K*(C + K)/(3*C + 2*K)
     let K_w2_dot = K * K_w2_dot_of_c_k * (C + K);
     // 2*C + K
     let c_doubled_plus_k = C.mul_add(S::int(2), K);
-    // 2*B + c_doubled_plus_k
-    let D_w2_dot_of_b_c_k = B.mul_add(S::int(2), c_doubled_plus_k);
-    let b_c_times_3 = B * c_times_3;
-    // K*D_w2_dot_of_b_c_k + b_c_times_3
-    let D_w2_dot_of_b_c_k_2 = K.mul_add(D_w2_dot_of_b_c_k, b_c_times_3);
+    // B*k_doubled_plus_c_times_3 + K*c_doubled_plus_k
+    let D_w2_dot_of_b_c_k = K.mul_add(c_doubled_plus_k, B * k_doubled_plus_c_times_3);
     // D_w2_dot = (3*B*C + K*(2*B + 2*C + K))/(3*C + 2*K)
-    let D_w2_dot = K_w2_dot_of_c_k * D_w2_dot_of_b_c_k_2;
+    let D_w2_dot = K_w2_dot_of_c_k * D_w2_dot_of_b_c_k;
     // over_D_w2_dot = 1/D_w2_dot
     let over_D_w2_dot = S::int(1) / D_w2_dot;
     // G_w2_dot = K_w2_dot*over_D_w2_dot
     let G_w2_dot = K_w2_dot * over_D_w2_dot;
-    // b_w1_dot = 27*w2*H_bus_3 - 27*w3*H_bus_2 + 3*b_2 + 3*(b - b_2)/(3 + sqrt(3)) +
-    //   b_alpha_S_in_axle_base_3*sqrt(3) + b_w3_dot*G_w3_dot + b_w2_dot*G_w2_dot
-    let b_w1_dot = b_w2_dot.mul_add(G_w2_dot, S::int(3) * b_2) + H_bus_3 * w2_times_27
-        + b_w2_dot_of_place_2 - H_bus_2 * w3_times_27;
+    // b_w1_dot = 54*w2*H_bus_3 - 54*w3*H_bus_2 + 3*b + 3*b_2 + sqrt(3)*(b_2 - b +
+    //   2*b_alpha_S_in_axle_base_3) + 2*b_w3_dot*G_w3_dot + b_w2_dot*G_w2_dot
+    let b_w1_dot = b_w2_dot.mul_add(G_w2_dot, -b_w2_dot_of_place_2)
+        - H_bus_2 * w3_times_54 + w2 * h_bus_3_times_54 + b_plus_b_2_times_3;
     // D_w1_dot = (3*A*B*C + K*(C*K + A*(2*B + 2*C + K) + B*(2*C + K)))/(3*B*C + K*(2*B + 2*C + K))
-    let D_w1_dot = (K * (B.mul_add(c_doubled_plus_k, C * K) + A * D_w2_dot_of_b_c_k)
-        + A * b_c_times_3) / D_w2_dot_of_b_c_k_2;
+    let D_w1_dot = (K * B.mul_add(c_doubled_plus_k, C * K) + A * D_w2_dot_of_b_c_k)
+        / (K * B.mul_add(S::int(2), c_doubled_plus_k) + B * c_times_3);
     // over_D_w1_dot = 1/D_w1_dot
     let over_D_w1_dot = S::int(1) / D_w1_dot;
     // G_w1_dot = b_w1_dot*over_D_w1_dot
     let G_w1_dot = b_w1_dot * over_D_w1_dot;
-    // w1' = -G_w1_dot/27
-    let w1_dot = -S::ratio(1, 27) * G_w1_dot;
+    // w1' = -G_w1_dot/54
+    let w1_dot = -S::ratio(1, 54) * G_w1_dot;
     // G_w2_dot_2 = b_w2_dot*over_D_w2_dot
     let G_w2_dot_2 = b_w2_dot * over_D_w2_dot;
-    // w2' = w1'*G_w2_dot - G_w2_dot_2/27
-    let w2_dot = w1_dot.mul_add(G_w2_dot, -S::ratio(1, 27) * G_w2_dot_2);
+    // w2' = w1'*G_w2_dot - G_w2_dot_2/54
+    let w2_dot = w1_dot.mul_add(G_w2_dot, -S::ratio(1, 54) * G_w2_dot_2);
     // G_w3_dot_2 = b_w3_dot*over_D_w3_dot
     let G_w3_dot_2 = b_w3_dot * over_D_w3_dot;
     // w1' + w2'
@@ -421,7 +418,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 166 operations, 1 sine and cosine, 1 other function.
+/// 162 operations, 1 sine and cosine, 1 other function.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
@@ -435,24 +432,20 @@ pub fn derivative<S: Scalar>(
     // Sines and cosines.
     let (sin_phi, cos_phi) = phi.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
+    // w1 + w2
+    let w1_plus_w2 = w1 + w2;
     let w_S_in_axle_base_1_of_ = (S::int(3)).sqrt();
-    // 1/(3 + sqrt(3))
-    let w_S_in_axle_base_1_of__2 = S::int(1) / (S::int(3) + w_S_in_axle_base_1_of_);
-    let w_S_in_axle_base_1_of__3 = S::int(3) * w_S_in_axle_base_1_of__2;
     let w_S_in_axle_base_1_of_w3 = w3 * w_S_in_axle_base_1_of_;
-    // w_S_in_axle_base_1_of__2 - 1
-    let w_S_in_axle_base_1_of__4 = w_S_in_axle_base_1_of__2 - S::int(1);
-    let w_S_in_axle_base_1_of__5 = S::int(3) * w_S_in_axle_base_1_of__4;
+    // 3*w1_plus_w2/(3 + sqrt(3)) + w_S_in_axle_base_1_of_w3
+    let w_S_in_axle_base_1_of_w1_w2_w3 = S::int(3) * w1_plus_w2
+        / (S::int(3) + w_S_in_axle_base_1_of_) + w_S_in_axle_base_1_of_w3;
     // w_S_in_axle_base_1 = 3*w1*(1/(3 + sqrt(3)) - 1) + 3*w2/(3 + sqrt(3)) + w3*sqrt(3)
-    let w_S_in_axle_base_1 = w2
-        .mul_add(w_S_in_axle_base_1_of__3, w_S_in_axle_base_1_of_w3)
-        + w1 * w_S_in_axle_base_1_of__5;
+    let w_S_in_axle_base_1 = (-w1).mul_add(S::int(3), w_S_in_axle_base_1_of_w1_w2_w3);
     // w_S_in_axle_base_2 = 3*w1/(3 + sqrt(3)) + 3*w2*(1/(3 + sqrt(3)) - 1) + w3*sqrt(3)
-    let w_S_in_axle_base_2 = w1
-        .mul_add(w_S_in_axle_base_1_of__3, w_S_in_axle_base_1_of_w3)
-        + w2 * w_S_in_axle_base_1_of__5;
+    let w_S_in_axle_base_2 = (-w2).mul_add(S::int(3), w_S_in_axle_base_1_of_w1_w2_w3);
     // w_S_in_axle_base_3 = w1*sqrt(3) + w2*sqrt(3) + w3*sqrt(3)
-    let w_S_in_axle_base_3 = w_S_in_axle_base_1_of_ * (w1 + w2) + w_S_in_axle_base_1_of_w3;
+    let w_S_in_axle_base_3 = w1_plus_w2
+        .mul_add(w_S_in_axle_base_1_of_, w_S_in_axle_base_1_of_w3);
     // w_axle_base_in_W_turn1_1 = w_S_in_axle_base_1*cos(phi) + w_S_in_axle_base_2*sin(phi)
     let w_axle_base_in_W_turn1_1 = w_S_in_axle_base_2
         .mul_add(sin_phi, w_S_in_axle_base_1 * cos_phi);
@@ -510,14 +503,15 @@ pub fn derivative<S: Scalar>(
     // b_alpha_S_in_axle_base_3 = b_alpha_W_3 + b_s_dot*G_s_dot
     let b_alpha_S_in_axle_base_3 = b_s_dot.mul_add(G_s_dot, b_alpha_W_3);
     // K_alpha_S_in_axle_base_3 = J*(G_s_dot - 1)
-    let K_alpha_S_in_axle_base_3 = J * (G_s_dot - S::int(1));
-    // b - b_2
-    let b_minus_b_2 = b - b_2;
-    let w1_times_27 = S::int(27) * w1;
-    let w2_times_27 = S::int(27) * w2;
+    let K_alpha_S_in_axle_base_3 = J.mul_add(G_s_dot, -J);
+    let b_w3_dot_of_place = b_alpha_S_in_axle_base_3 * w_S_in_axle_base_1_of_;
+    // sqrt(3)*(b - b_2)
+    let b_w3_dot_of_b_b_2 = w_S_in_axle_base_1_of_ * (b - b_2);
+    // w1*H_bus_2 - w2*H_bus_1
+    let b_w3_dot_of_w1_w2 = (-w2).mul_add(H_bus_1, w1 * H_bus_2);
     // b_w3_dot = 27*w1*H_bus_2 - 27*w2*H_bus_1 + sqrt(3)*(b - b_2 + b_alpha_S_in_axle_base_3)
-    let b_w3_dot = w_S_in_axle_base_1_of_ * (b_alpha_S_in_axle_base_3 + b_minus_b_2)
-        + H_bus_2 * w1_times_27 - H_bus_1 * w2_times_27;
+    let b_w3_dot = b_w3_dot_of_w1_w2
+        .mul_add(S::int(27), b_w3_dot_of_place + b_w3_dot_of_b_b_2);
     let c_times_3 = S::int(3) * C;
     // 2*K + c_times_3
     let k_doubled_plus_c_times_3 = K.mul_add(S::int(2), c_times_3);
@@ -527,49 +521,49 @@ pub fn derivative<S: Scalar>(
     let over_D_w3_dot = S::int(1) / K_w3_dot;
     // G_w3_dot = K*over_D_w3_dot
     let G_w3_dot = K * over_D_w3_dot;
-    // b_alpha_S_in_axle_base_3*sqrt(3) + w_S_in_axle_base_1_of__3*b_minus_b_2
-    let b_w2_dot_of_place = w_S_in_axle_base_1_of__3
-        .mul_add(b_minus_b_2, b_alpha_S_in_axle_base_3 * w_S_in_axle_base_1_of_);
-    // b_w3_dot*G_w3_dot + b_w2_dot_of_place
-    let b_w2_dot_of_place_2 = b_w3_dot.mul_add(G_w3_dot, b_w2_dot_of_place);
-    let w3_times_27 = S::int(27) * w3;
-    // b_w2_dot = 27*w3*H_bus_1 - 27*w1*H_bus_3 - 3*b + 3*(b - b_2)/(3 + sqrt(3)) +
-    //   b_alpha_S_in_axle_base_3*sqrt(3) + b_w3_dot*G_w3_dot
-    let b_w2_dot = (-b).mul_add(S::int(3), b_w2_dot_of_place_2) - H_bus_3 * w1_times_27
-        + H_bus_1 * w3_times_27;
+    // b_w3_dot*G_w3_dot + b_w3_dot_of_place
+    let b_w2_dot_of_place = b_w3_dot.mul_add(G_w3_dot, b_w3_dot_of_place);
+    // b_w3_dot_of_b_b_2 - 2*b_w2_dot_of_place
+    let b_w2_dot_of_place_2 = (-b_w2_dot_of_place).mul_add(S::int(2), b_w3_dot_of_b_b_2);
+    let w3_times_54 = S::int(54) * w3;
+    let h_bus_3_times_54 = S::int(54) * H_bus_3;
+    // b + b_2
+    let b_plus_b_2 = b + b_2;
+    let b_plus_b_2_times_3 = S::int(3) * b_plus_b_2;
+    // b_w2_dot = 54*w3*H_bus_1 - 54*w1*H_bus_3 - 3*b - 3*b_2 + sqrt(3)*(b_2 - b +
+    //   2*b_alpha_S_in_axle_base_3) + 2*b_w3_dot*G_w3_dot
+    let b_w2_dot = H_bus_1.mul_add(w3_times_54, -b_w2_dot_of_place_2)
+        - w1 * h_bus_3_times_54 - b_plus_b_2_times_3;
     let K_w2_dot_of_c_k = S::int(1) / k_doubled_plus_c_times_3;
     // K_w2_dot = K*(C + K)/(3*C + 2*K)
     let K_w2_dot = K * K_w2_dot_of_c_k * (C + K);
     // 2*C + K
     let c_doubled_plus_k = C.mul_add(S::int(2), K);
-    // 2*B + c_doubled_plus_k
-    let D_w2_dot_of_b_c_k = B.mul_add(S::int(2), c_doubled_plus_k);
-    let b_c_times_3 = B * c_times_3;
-    // K*D_w2_dot_of_b_c_k + b_c_times_3
-    let D_w2_dot_of_b_c_k_2 = K.mul_add(D_w2_dot_of_b_c_k, b_c_times_3);
+    // B*k_doubled_plus_c_times_3 + K*c_doubled_plus_k
+    let D_w2_dot_of_b_c_k = K.mul_add(c_doubled_plus_k, B * k_doubled_plus_c_times_3);
     // D_w2_dot = (3*B*C + K*(2*B + 2*C + K))/(3*C + 2*K)
-    let D_w2_dot = K_w2_dot_of_c_k * D_w2_dot_of_b_c_k_2;
+    let D_w2_dot = K_w2_dot_of_c_k * D_w2_dot_of_b_c_k;
     // over_D_w2_dot = 1/D_w2_dot
     let over_D_w2_dot = S::int(1) / D_w2_dot;
     // G_w2_dot = K_w2_dot*over_D_w2_dot
     let G_w2_dot = K_w2_dot * over_D_w2_dot;
-    // b_w1_dot = 27*w2*H_bus_3 - 27*w3*H_bus_2 + 3*b_2 + 3*(b - b_2)/(3 + sqrt(3)) +
-    //   b_alpha_S_in_axle_base_3*sqrt(3) + b_w3_dot*G_w3_dot + b_w2_dot*G_w2_dot
-    let b_w1_dot = b_w2_dot.mul_add(G_w2_dot, S::int(3) * b_2) + H_bus_3 * w2_times_27
-        + b_w2_dot_of_place_2 - H_bus_2 * w3_times_27;
+    // b_w1_dot = 54*w2*H_bus_3 - 54*w3*H_bus_2 + 3*b + 3*b_2 + sqrt(3)*(b_2 - b +
+    //   2*b_alpha_S_in_axle_base_3) + 2*b_w3_dot*G_w3_dot + b_w2_dot*G_w2_dot
+    let b_w1_dot = b_w2_dot.mul_add(G_w2_dot, -b_w2_dot_of_place_2)
+        - H_bus_2 * w3_times_54 + w2 * h_bus_3_times_54 + b_plus_b_2_times_3;
     // D_w1_dot = (3*A*B*C + K*(C*K + A*(2*B + 2*C + K) + B*(2*C + K)))/(3*B*C + K*(2*B + 2*C + K))
-    let D_w1_dot = (K * (B.mul_add(c_doubled_plus_k, C * K) + A * D_w2_dot_of_b_c_k)
-        + A * b_c_times_3) / D_w2_dot_of_b_c_k_2;
+    let D_w1_dot = (K * B.mul_add(c_doubled_plus_k, C * K) + A * D_w2_dot_of_b_c_k)
+        / (K * B.mul_add(S::int(2), c_doubled_plus_k) + B * c_times_3);
     // over_D_w1_dot = 1/D_w1_dot
     let over_D_w1_dot = S::int(1) / D_w1_dot;
     // G_w1_dot = b_w1_dot*over_D_w1_dot
     let G_w1_dot = b_w1_dot * over_D_w1_dot;
-    // w1' = -G_w1_dot/27
-    let w1_dot = -S::ratio(1, 27) * G_w1_dot;
+    // w1' = -G_w1_dot/54
+    let w1_dot = -S::ratio(1, 54) * G_w1_dot;
     // G_w2_dot_2 = b_w2_dot*over_D_w2_dot
     let G_w2_dot_2 = b_w2_dot * over_D_w2_dot;
-    // w2' = w1'*G_w2_dot - G_w2_dot_2/27
-    let w2_dot = w1_dot.mul_add(G_w2_dot, -S::ratio(1, 27) * G_w2_dot_2);
+    // w2' = w1'*G_w2_dot - G_w2_dot_2/54
+    let w2_dot = w1_dot.mul_add(G_w2_dot, -S::ratio(1, 54) * G_w2_dot_2);
     // G_w3_dot_2 = b_w3_dot*over_D_w3_dot
     let G_w3_dot_2 = b_w3_dot * over_D_w3_dot;
     // w1' + w2'

@@ -242,7 +242,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (e0'', e1'', e2'', e3'', phi'', lambda_S_norm).
 ///
-/// 470 operations, 1 other function.
+/// 424 operations, 1 other function.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 6] {
     let Parameters { A, B, C, J, K, T, .. } = *p;
@@ -259,24 +259,16 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     let w_S_2_of_motion = (-e2).mul_add(e0_dot, e0 * e2_dot) - e3 * e1_dot + e1 * e3_dot;
     // w_S_2 = (e0*e2' - e2*e0' - e3*e1' + e1*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
     let w_S_2 = w_S_1_of_e0_e1_e2_e3 * w_S_2_of_motion;
-    let e0_e3_dot = e0 * e3_dot;
-    let e3_e0_dot = e3 * e0_dot;
-    // e0_e3_dot - e3_e0_dot
-    let w_S_3_of_motion = e0_e3_dot - e3_e0_dot;
-    let e1_e2_dot = e1 * e2_dot;
-    let e2_e1_dot = e2 * e1_dot;
-    // e2_e1_dot - e1_e2_dot
-    let w_S_3_of_motion_2 = e2_e1_dot - e1_e2_dot;
-    // w_S_3_of_motion + w_S_3_of_motion_2
-    let w_S_3_of_motion_3 = w_S_3_of_motion + w_S_3_of_motion_2;
+    // e2*e1' - e3*e0' - e1*e2' + e0*e3'
+    let w_S_3_of_motion = (-e3).mul_add(e0_dot, e2 * e1_dot) - e1 * e2_dot + e0 * e3_dot;
     // w_S_3 = (e2*e1' - e3*e0' - e1*e2' + e0*e3')/(e0^2 + e1^2 + e2^2 + e3^2)
-    let w_S_3 = w_S_1_of_e0_e1_e2_e3 * w_S_3_of_motion_3;
+    let w_S_3 = w_S_1_of_e0_e1_e2_e3 * w_S_3_of_motion;
     let w_S_in_axle_base_1_of_ = (S::int(3)).sqrt();
     // 1/(3 + sqrt(3))
     let w_S_in_axle_base_1_of__2 = S::int(1) / (S::int(3) + w_S_in_axle_base_1_of_);
     // w_S_in_axle_base_1_of__2 - 1
     let w_S_in_axle_base_1_of__3 = w_S_in_axle_base_1_of__2 - S::int(1);
-    let w_S_in_axle_base_1_of_motion = w_S_3_of_motion_3 * w_S_in_axle_base_1_of_;
+    let w_S_in_axle_base_1_of_motion = w_S_3_of_motion * w_S_in_axle_base_1_of_;
     // w_S_2_of_motion*w_S_in_axle_base_1_of__2 + w_S_1_of_motion*w_S_in_axle_base_1_of__3
     let w_S_in_axle_base_1_of_motion_2 = w_S_1_of_motion
         .mul_add(w_S_in_axle_base_1_of__3, w_S_2_of_motion * w_S_in_axle_base_1_of__2);
@@ -318,15 +310,10 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     let H_wheel_2 = K * w_S_in_axle_base_2;
     // H_wheel_3 = J*w_W_turn1_3
     let H_wheel_3 = J * w_W_turn1_3;
-    let e2_e2_dot = e2 * e2_dot;
-    let e3_e3_dot = e3 * e3_dot;
-    // e2_e2_dot + e3_e3_dot
-    let e2_e2_dot_plus_e3_e3_dot = e2_e2_dot + e3_e3_dot;
-    let e0_e0_dot = e0 * e0_dot;
-    let e1_e1_dot = e1 * e1_dot;
-    // w_S_1_of_e0_e1_e2_e3^2*(e2_e2_dot_plus_e3_e3_dot + e0_e0_dot + e1_e1_dot)
-    let w_S_1_2_of_motion = w_S_1_of_e0_e1_e2_e3 * w_S_1_of_e0_e1_e2_e3
-        * (e2_e2_dot_plus_e3_e3_dot + e0_e0_dot + e1_e1_dot);
+    let w_s_1_of_e0_e1_e2_e3_sq = w_S_1_of_e0_e1_e2_e3 * w_S_1_of_e0_e1_e2_e3;
+    // w_s_1_of_e0_e1_e2_e3_sq*(e0*e0' + e1*e1' + e2*e2' + e3*e3')
+    let w_S_1_2_of_motion = w_s_1_of_e0_e1_e2_e3_sq
+        * (e1.mul_add(e1_dot, e0 * e0_dot) + e2 * e2_dot + e3 * e3_dot);
     // w_S_1_2 = (e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
     //   e2^2 + e3^2)^2
     let w_S_1_2 = w_S_1_of_motion * w_S_1_2_of_motion;
@@ -335,7 +322,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     let w_S_2_2 = w_S_2_of_motion * w_S_1_2_of_motion;
     // w_S_3_2 = (e2*e1' - e3*e0' - e1*e2' + e0*e3')*(e0*e0' + e1*e1' + e2*e2' + e3*e3')/(e0^2 + e1^2 +
     //   e2^2 + e3^2)^2
-    let w_S_3_2 = w_S_3_of_motion_3 * w_S_1_2_of_motion;
+    let w_S_3_2 = w_S_3_of_motion * w_S_1_2_of_motion;
     // w_S_in_axle_base_1_2 = 3*(1/(3 + sqrt(3)) - 1)*(e0*e1' - e1*e0' + e3*e2' - e2*e3')*(e0*e0' + e1*e1'
     //   + e2*e2' + e3*e3')/(e0^2 + e1^2 + e2^2 + e3^2)^2 + 3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(e0*e0' +
     //   e1*e1' + e2*e2' + e3*e3')/((3 + sqrt(3))*(e0^2 + e1^2 + e2^2 + e3^2)^2) + sqrt(3)*(e2*e1' - e3*e0' -
@@ -363,87 +350,150 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     let H_wheel_2_2 = K * w_S_in_axle_base_2_2;
     // H_wheel_3_2 = J*w_S_in_axle_base_3_2
     let H_wheel_3_2 = J * w_S_in_axle_base_3_2;
-    // e1' + e2'
-    let e1_dot_plus_e2_dot = e1_dot + e2_dot;
-    // e1' - e2'
-    let e1_dot_minus_e2_dot = e1_dot - e2_dot;
-    let e3_e1_dot_minus_e2_dot = e3 * e1_dot_minus_e2_dot;
+    // H_wheel_1_2 + H_wheel_2_2
+    let f1_of_place = H_wheel_1_2 + H_wheel_2_2;
+    // f1_of_place - 2*H_wheel_3_2
+    let f1_of_place_2 = (-H_wheel_3_2).mul_add(S::int(2), f1_of_place);
+    let e1_f1_of_place_2 = e1 * f1_of_place_2;
+    let e2_f1_of_place_2 = e2 * f1_of_place_2;
     // H_wheel_1 + H_wheel_2
     let h_wheel_1_plus_h_wheel_2 = H_wheel_1 + H_wheel_2;
-    let f1_of_place = S::int(2) * h_wheel_1_plus_h_wheel_2;
-    // 3*H_bus_2 - H_wheel_2
-    let f1_of_place_2 = H_bus_2.mul_add(S::int(3), -H_wheel_2);
-    // 3*H_bus_1 - H_wheel_1
-    let f1_of_place_3 = H_bus_1.mul_add(S::int(3), -H_wheel_1);
-    // e1 - e2
-    let e1_minus_e2 = e1 - e2;
-    let e0_e1_dot_plus_e2_dot = e0 * e1_dot_plus_e2_dot;
-    // e0_e1_dot_plus_e2_dot - e3_e1_dot_minus_e2_dot
-    let f1_of_motion = e0_e1_dot_plus_e2_dot - e3_e1_dot_minus_e2_dot;
-    let f1_of_ = S::int(6) * w_S_in_axle_base_1_of__2;
-    // e2'*f1_of_place_2 + e1'*f1_of_place_3
-    let f1_of_motion_2 = e1_dot.mul_add(f1_of_place_3, e2_dot * f1_of_place_2);
-    let h_bus_3_times_3 = S::int(3) * H_bus_3;
-    let e0_times_6 = S::int(6) * e0;
-    // e1'*f1_of_place_2 - e2'*f1_of_place_3
-    let f1_of_motion_3 = (-e2_dot).mul_add(f1_of_place_3, e1_dot * f1_of_place_2);
-    let e3_times_6 = S::int(6) * e3;
-    let h_bus_3_times_18 = S::int(18) * H_bus_3;
-    // -w_S_3_of_motion_2*h_bus_3_times_18
-    let f1_of_motion_4 = -w_S_3_of_motion_2 * h_bus_3_times_18;
-    // H_wheel_3*sqrt(3) + h_wheel_1_plus_h_wheel_2*f1_of_
-    let f1_of_place_4 = h_wheel_1_plus_h_wheel_2
-        .mul_add(f1_of_, H_wheel_3 * w_S_in_axle_base_1_of_);
-    // 6*f1_of_place_3 + f1_of_place_4
-    let f1_of_place_5 = f1_of_place_3.mul_add(S::int(6), f1_of_place_4);
-    // 6*f1_of_place_2 + f1_of_place_4
-    let f1_of_place_6 = f1_of_place_2.mul_add(S::int(6), f1_of_place_4);
-    // H_wheel_3 + f1_of_place
-    let f1_of_place_7 = H_wheel_3 + f1_of_place;
-    // h_bus_3_times_18 + f1_of_place_7*sqrt(3)
-    let f1_of_place_8 = f1_of_place_7.mul_add(w_S_in_axle_base_1_of_, h_bus_3_times_18);
-    let e3_f1_of_place_8 = e3 * f1_of_place_8;
-    let f1_of_motion_5 = e2_e2_dot_plus_e3_e3_dot * f1_of_place_5;
-    let e2_dot_f1_of_place_8 = e2_dot * f1_of_place_8;
-    let e2_e2_dot_f1_of_place_6 = e2_e2_dot * f1_of_place_6;
-    // H_wheel_1_2 + H_wheel_2_2
-    let f1_of_place_9 = H_wheel_1_2 + H_wheel_2_2;
-    // H_wheel_3_2 + f1_of_place_9
-    let f1_of_place_10 = H_wheel_3_2 + f1_of_place_9;
-    let f1_of_place_10_doubled = S::int(2) * f1_of_place_10;
-    // e1 + e2
-    let e1_plus_e2 = e1 + e2;
-    let h_wheel_3_2_doubled = S::int(2) * H_wheel_3_2;
-    // 3*H_bus_1_2 - H_wheel_1_2
-    let f1_of_place_11 = H_bus_1_2.mul_add(S::int(3), -H_wheel_1_2);
-    let e1_times_6 = S::int(6) * e1;
-    // 3*H_bus_2_2 - H_wheel_2_2
-    let f1_of_place_12 = H_bus_2_2.mul_add(S::int(3), -H_wheel_2_2);
-    let e2_times_6 = S::int(6) * e2;
-    let h_bus_3_2_times_18 = S::int(18) * H_bus_3_2;
-    let f1_of_e0_e1_e2_e3 = S::ratio(4, 9) * w_S_1_of_e0_e1_e2_e3;
-    // e0' - e3'
-    let e0_dot_minus_e3_dot = e0_dot - e3_dot;
-    // e0' + e3'
-    let e0_dot_plus_e3_dot = e0_dot + e3_dot;
-    let e2_e0_dot_plus_e3_dot = e2 * e0_dot_plus_e3_dot;
-    // e0 + e3
-    let e0_plus_e3 = e0 + e3;
-    let e1_e0_dot_minus_e3_dot = e1 * e0_dot_minus_e3_dot;
-    // e2_e0_dot_plus_e3_dot + e1_e0_dot_minus_e3_dot
-    let f2_of_motion = e2_e0_dot_plus_e3_dot + e1_e0_dot_minus_e3_dot;
-    // e0'*f1_of_place_3 - e3'*f1_of_place_2
-    let f2_of_motion_2 = (-e3_dot).mul_add(f1_of_place_2, e0_dot * f1_of_place_3);
-    // e0'*f1_of_place_2 + e3'*f1_of_place_3
-    let f2_of_motion_3 = e3_dot.mul_add(f1_of_place_3, e0_dot * f1_of_place_2);
-    let f2_of_motion_4 = w_S_3_of_motion * h_bus_3_times_18;
-    let e2_f1_of_place_8 = e2 * f1_of_place_8;
-    let e3_dot_f1_of_place_8 = e3_dot * f1_of_place_8;
-    let e3_e3_dot_f1_of_place_6 = e3_e3_dot * f1_of_place_6;
-    // e0 - e3
-    let e0_minus_e3 = e0 - e3;
-    let e1_f1_of_place_8 = e1 * f1_of_place_8;
-    let e0_f1_of_place_8 = e0 * f1_of_place_8;
+    // H_wheel_3 + 2*h_wheel_1_plus_h_wheel_2
+    let f1_of_place_3 = h_wheel_1_plus_h_wheel_2.mul_add(S::int(2), H_wheel_3);
+    let e3_dot_f1_of_place_3 = e3_dot * f1_of_place_3;
+    // e2_f1_of_place_2 + e3_dot_f1_of_place_3
+    let f1_of_e3_dot = e2_f1_of_place_2 + e3_dot_f1_of_place_3;
+    // h_wheel_1_plus_h_wheel_2 - H_wheel_3
+    let f1_of_place_4 = h_wheel_1_plus_h_wheel_2 - H_wheel_3;
+    let e2_dot_f1_of_place_4 = e2_dot * f1_of_place_4;
+    // H_wheel_3_2 + f1_of_place
+    let f1_of_place_5 = H_wheel_3_2 + f1_of_place;
+    let f1_of_place_5_doubled = S::int(2) * f1_of_place_5;
+    let e3_f1_of_place_5_doubled = e3 * f1_of_place_5_doubled;
+    // e2_dot_f1_of_place_4 + e3_f1_of_place_5_doubled
+    let f1_of_e2_dot = e2_dot_f1_of_place_4 + e3_f1_of_place_5_doubled;
+    let e3_dot_f1_of_place_4 = e3_dot * f1_of_place_4;
+    let e2_dot_f1_of_place_3 = e2_dot * f1_of_place_3;
+    let e0_f1_of_place_2 = e0 * f1_of_place_2;
+    // e2_dot_f1_of_place_3 + e0_f1_of_place_2
+    let f1_of_e2_dot_2 = e2_dot_f1_of_place_3 + e0_f1_of_place_2;
+    let e1_dot_f1_of_place_4 = e1_dot * f1_of_place_4;
+    // e2_f1_of_place_2 + e2_dot_f1_of_place_4
+    let f1_of_e2_dot_3 = e2_f1_of_place_2 + e2_dot_f1_of_place_4;
+    let e1_dot_f1_of_place_3 = e1_dot * f1_of_place_3;
+    let e3_f1_of_place_2 = e3 * f1_of_place_2;
+    // e3_dot_f1_of_place_4 + e3_f1_of_place_2
+    let f1_of_e3_dot_2 = e3_dot_f1_of_place_4 + e3_f1_of_place_2;
+    // e3_f1_of_place_5_doubled + e1_dot_f1_of_place_4
+    let f1_of_e1_dot = e3_f1_of_place_5_doubled + e1_dot_f1_of_place_4;
+    // e1_dot_f1_of_place_3 - e0_f1_of_place_2
+    let f1_of_e1_dot_2 = e1_dot_f1_of_place_3 - e0_f1_of_place_2;
+    // e0*f1_of_place_5_doubled - e2_dot_f1_of_place_4
+    let f1_of_e2_dot_4 = e0.mul_add(f1_of_place_5_doubled, -e2_dot_f1_of_place_4);
+    // e3*(f1_of_e2_dot + e1_dot_f1_of_place_4)
+    let f1_of_motion = e3 * (f1_of_e2_dot + e1_dot_f1_of_place_4);
+    // H_wheel_1 - H_wheel_2
+    let f1_of_place_6 = H_wheel_1 - H_wheel_2;
+    // 6*H_bus_2 + f1_of_place_6
+    let f1_of_place_7 = H_bus_2.mul_add(S::int(6), f1_of_place_6);
+    let e1_dot_f1_of_place_7 = e1_dot * f1_of_place_7;
+    // H_wheel_1_2 - H_wheel_2_2
+    let f1_of_place_8 = H_wheel_1_2 - H_wheel_2_2;
+    // 6*H_bus_1_2 - f1_of_place_8
+    let f1_of_place_9 = H_bus_1_2.mul_add(S::int(6), -f1_of_place_8);
+    let e2_f1_of_place_9 = e2 * f1_of_place_9;
+    // e1_dot_f1_of_place_7 + e2_f1_of_place_9
+    let f1_of_e1_dot_3 = e1_dot_f1_of_place_7 + e2_f1_of_place_9;
+    // 6*H_bus_1 - f1_of_place_6
+    let f1_of_place_10 = H_bus_1.mul_add(S::int(6), -f1_of_place_6);
+    let e2_dot_f1_of_place_10 = e2_dot * f1_of_place_10;
+    // 6*H_bus_2_2 + f1_of_place_8
+    let f1_of_place_11 = H_bus_2_2.mul_add(S::int(6), f1_of_place_8);
+    let e1_f1_of_place_11 = e1 * f1_of_place_11;
+    // e2_dot_f1_of_place_10 + e1_f1_of_place_11
+    let f1_of_e2_dot_5 = e2_dot_f1_of_place_10 + e1_f1_of_place_11;
+    let h_bus_3_2_times_6 = S::int(6) * H_bus_3_2;
+    let e3_h_bus_3_2_times_6 = e3 * h_bus_3_2_times_6;
+    let e2_dot_f1_of_place_7 = e2_dot * f1_of_place_7;
+    // e1*f1_of_place_9 - e2_dot_f1_of_place_7
+    let f1_of_e2_dot_6 = e1.mul_add(f1_of_place_9, -e2_dot_f1_of_place_7);
+    let h_bus_3_times_6 = S::int(6) * H_bus_3;
+    let e3_dot_h_bus_3_times_6 = e3_dot * h_bus_3_times_6;
+    // f1_of_e2_dot_6 - e3_dot_h_bus_3_times_6
+    let f1_of_motion_2 = f1_of_e2_dot_6 - e3_dot_h_bus_3_times_6;
+    let e3_dot_f1_of_place_7 = e3_dot * f1_of_place_7;
+    // e0*f1_of_place_9 + e3_dot_f1_of_place_7
+    let f1_of_e3_dot_3 = e0.mul_add(f1_of_place_9, e3_dot_f1_of_place_7);
+    let e2_dot_h_bus_3_times_6 = e2_dot * h_bus_3_times_6;
+    // f1_of_e3_dot_3 - e2_dot_h_bus_3_times_6
+    let f1_of_motion_3 = f1_of_e3_dot_3 - e2_dot_h_bus_3_times_6;
+    let e1_dot_h_bus_3_times_6 = e1_dot * h_bus_3_times_6;
+    let e3_dot_f1_of_place_10 = e3_dot * f1_of_place_10;
+    let e3_f1_of_place_9 = e3 * f1_of_place_9;
+    let e1_times_3 = S::int(3) * e1;
+    let e1_dot_f1_of_place_10 = e1_dot * f1_of_place_10;
+    // e1_dot_f1_of_place_10 - e2*f1_of_place_11
+    let f1_of_e1_dot_4 = (-e2).mul_add(f1_of_place_11, e1_dot_f1_of_place_10);
+    // e3_dot_h_bus_3_times_6 + f1_of_e1_dot_4
+    let f1_of_motion_4 = e3_dot_h_bus_3_times_6 + f1_of_e1_dot_4;
+    let e0_f1_of_place_11 = e0 * f1_of_place_11;
+    // e0_f1_of_place_11 - e3_dot_f1_of_place_10
+    let f1_of_e3_dot_4 = e0_f1_of_place_11 - e3_dot_f1_of_place_10;
+    // e1_dot_h_bus_3_times_6 + f1_of_e3_dot_4
+    let f1_of_motion_5 = e1_dot_h_bus_3_times_6 + f1_of_e3_dot_4;
+    let e3_f1_of_place_11 = e3 * f1_of_place_11;
+    let e2_times_3 = S::int(3) * e2;
+    // e2_dot_f1_of_place_10 + e0*h_bus_3_2_times_6
+    let f1_of_e2_dot_7 = e0.mul_add(h_bus_3_2_times_6, e2_dot_f1_of_place_10);
+    // e3*(e2_dot_f1_of_place_7 - e3_h_bus_3_2_times_6 + e1_dot_f1_of_place_10)
+    let f1_of_motion_6 = e3 * (e2_dot_f1_of_place_7 - e3_h_bus_3_2_times_6 + e1_dot_f1_of_place_10);
+    let e3_times_3 = S::int(3) * e3;
+    let f1_of_e0_e1_e2_e3 = S::ratio(4, 9) * w_s_1_of_e0_e1_e2_e3_sq;
+    let e2_f1_of_place_5_doubled = e2 * f1_of_place_5_doubled;
+    // e2_f1_of_place_5_doubled - e3_dot_f1_of_place_4
+    let f2_of_e3_dot = e2_f1_of_place_5_doubled - e3_dot_f1_of_place_4;
+    let e0_dot_f1_of_place_3 = e0_dot * f1_of_place_3;
+    let e0_dot_f1_of_place_4 = e0_dot * f1_of_place_4;
+    // e3_f1_of_place_2 + e0_dot_f1_of_place_4
+    let f2_of_e0_dot = e3_f1_of_place_2 + e0_dot_f1_of_place_4;
+    let e1_f1_of_place_5_doubled = e1 * f1_of_place_5_doubled;
+    // e1_f1_of_place_5_doubled - e3_dot_f1_of_place_4
+    let f2_of_e3_dot_2 = e1_f1_of_place_5_doubled - e3_dot_f1_of_place_4;
+    // e1_f1_of_place_2 + e0_dot_f1_of_place_3
+    let f2_of_e0_dot_2 = e1_f1_of_place_2 + e0_dot_f1_of_place_3;
+    // e2_dot_f1_of_place_4 + f2_of_e0_dot_2
+    let f2_of_motion = e2_dot_f1_of_place_4 + f2_of_e0_dot_2;
+    // e3*(e2_dot_f1_of_place_3 - f2_of_e0_dot)
+    let f2_of_motion_2 = e3 * (e2_dot_f1_of_place_3 - f2_of_e0_dot);
+    let e0_dot_f1_of_place_10 = e0_dot * f1_of_place_10;
+    // e3_f1_of_place_11 + e0_dot_f1_of_place_10
+    let f2_of_e0_dot_3 = e3_f1_of_place_11 + e0_dot_f1_of_place_10;
+    let e2_h_bus_3_2_times_6 = e2 * h_bus_3_2_times_6;
+    // e3_dot_f1_of_place_7 + e2_h_bus_3_2_times_6
+    let f2_of_e3_dot_3 = e3_dot_f1_of_place_7 + e2_h_bus_3_2_times_6;
+    let e0_dot_f1_of_place_7 = e0_dot * f1_of_place_7;
+    let e1_h_bus_3_2_times_6 = e1 * h_bus_3_2_times_6;
+    // e3_dot_f1_of_place_10 + e1_h_bus_3_2_times_6
+    let f2_of_e3_dot_4 = e3_dot_f1_of_place_10 + e1_h_bus_3_2_times_6;
+    // e3_h_bus_3_2_times_6 + e3_dot_h_bus_3_times_6
+    let f2_of_e3_dot_5 = e3_h_bus_3_2_times_6 + e3_dot_h_bus_3_times_6;
+    let e0_dot_h_bus_3_times_6 = e0_dot * h_bus_3_times_6;
+    // e3*(e2_dot_h_bus_3_times_6 + f2_of_e0_dot_3) + e1*(f1_of_e2_dot_5 - e0_dot_h_bus_3_times_6)
+    let f2_of_motion_3 = e3 * (e2_dot_h_bus_3_times_6 + f2_of_e0_dot_3)
+        + e1 * (f1_of_e2_dot_5 - e0_dot_h_bus_3_times_6);
+    // e0_dot_f1_of_place_7 - e3_f1_of_place_9
+    let f2_of_e0_dot_4 = e0_dot_f1_of_place_7 - e3_f1_of_place_9;
+    let e0_times_3 = S::int(3) * e0;
+    // e3_f1_of_place_2 - e0_dot_f1_of_place_4
+    let f3_of_e0_dot = e3_f1_of_place_2 - e0_dot_f1_of_place_4;
+    // e2_f1_of_place_2 + e1_dot_f1_of_place_4
+    let f3_of_e1_dot = e2_f1_of_place_2 + e1_dot_f1_of_place_4;
+    // e3*(f3_of_e0_dot - e1_dot_f1_of_place_3) + e2*(f3_of_e1_dot - e0_dot_f1_of_place_3)
+    let f3_of_motion = e3 * (f3_of_e0_dot - e1_dot_f1_of_place_3)
+        + e2 * (f3_of_e1_dot - e0_dot_f1_of_place_3);
+    // e2*(f1_of_e1_dot_3 + e0_dot_h_bus_3_times_6) + e3*(e1_dot_h_bus_3_times_6 - f2_of_e0_dot_4)
+    let f3_of_motion_2 = e2 * (f1_of_e1_dot_3 + e0_dot_h_bus_3_times_6)
+        + e3 * (e1_dot_h_bus_3_times_6 - f2_of_e0_dot_4);
     // e0'^2 + e1'^2
     let e0_dot_sq_plus_e1_dot_sq = e1_dot.mul_add(e1_dot, e0_dot * e0_dot);
     // e2'^2 + e3'^2
@@ -451,217 +501,203 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
     // e0_dot_sq_plus_e1_dot_sq + e2_dot_sq_plus_e3_dot_sq
     let f6_of_motion = e0_dot_sq_plus_e1_dot_sq + e2_dot_sq_plus_e3_dot_sq;
     // Values.
-    // f1 = 4*(18*e3'*H_bus_3 + 6*e1'*(3*H_bus_1 - H_wheel_1) + 6*e2'*(3*H_bus_2 - H_wheel_2) -
-    //   (e0*(18*H_bus_3*(e2*e1' - e1*e2') - 6*(H_wheel_1*(e3*(e1' - e2') - e0*(e1' + e2') + e3'*(e2 - e1)) +
-    //   H_wheel_2*(e3*(e1' - e2') - e0*(e1' + e2') + e3'*(e2 - e1)))/(3 + sqrt(3)) + 6*e0*(3*e3'*H_bus_3 +
-    //   e1'*(3*H_bus_1 - H_wheel_1) + e2'*(3*H_bus_2 - H_wheel_2)) - 6*e3*(e2'*(H_wheel_1 - 3*H_bus_1) +
-    //   e1'*(3*H_bus_2 - H_wheel_2)) + 6*e3'*(e2*(H_wheel_1 - 3*H_bus_1) + e1*(3*H_bus_2 - H_wheel_2)) +
-    //   sqrt(3)*(2*H_wheel_1*(e2*e1' - e1*e2' + e0*e3') + 2*H_wheel_2*(e2*e1' - e1*e2' + e0*e3') +
-    //   H_wheel_3*(e3*(e2' - e1') + e0*(e1' + e2' + e3') + e1*(e3' - e2') + e2*(e1' - e3')))) +
-    //   e3^2*e3'*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)) + e1*(e2*e2'*(18*H_bus_1 -
-    //   6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_1 -
-    //   6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e1'*(e1*(18*H_bus_1 -
-    //   6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e2*(18*H_bus_2 -
-    //   6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e3*(18*H_bus_3 +
-    //   sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)))) + e2*(e2*e2'*(18*H_bus_2 - 6*H_wheel_2 +
-    //   6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e3*(e3'*(18*H_bus_2 - 6*H_wheel_2 +
-    //   6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e2'*(18*H_bus_3 +
-    //   sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)))))/(e0^2 + e1^2 + e2^2 + e3^2) - 18*e3*H_bus_3_2 +
-    //   6*e1*(H_wheel_1_2 - 3*H_bus_1_2) + 6*(e1'*(H_wheel_1 + H_wheel_2) - e1*(H_wheel_1_2 + H_wheel_2_2) +
-    //   e2'*(H_wheel_1 + H_wheel_2) - e2*(H_wheel_1_2 + H_wheel_2_2))/(3 + sqrt(3)) + 6*e2*(H_wheel_2_2 -
-    //   3*H_bus_2_2) + sqrt(3)*(H_wheel_3*(e1' + e2') - 2*H_wheel_3_2*(e1 + e2) + e3'*(2*H_wheel_1 +
-    //   2*H_wheel_2 + H_wheel_3) - 2*e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)))/(9*(e0^2 + e1^2 + e2^2 +
-    //   e3^2))
+    // f1 = 4*(3*e3*(e0*(e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2)
+    //   - 6*e0*H_bus_3_2) + e3*(e2'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e1'*(6*H_bus_1 - H_wheel_1 +
+    //   H_wheel_2) - 6*e3*H_bus_3_2)) - 3*e1*(e2*(e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2'*(6*H_bus_1 -
+    //   H_wheel_1 + H_wheel_2) + e1*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2) + e2*(6*H_bus_1_2 -
+    //   H_wheel_1_2 + H_wheel_2_2)) + e1*(e2'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) - 6*e3'*H_bus_3 +
+    //   6*e3*H_bus_3_2 + e1*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) + e0*(e3'*(6*H_bus_2 + H_wheel_1 -
+    //   H_wheel_2) - 6*e2'*H_bus_3 + e0*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) + e3*(6*e1'*H_bus_3 +
+    //   e3'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2))) -
+    //   3*e2*(e2*(e1'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) - 6*e3'*H_bus_3 + 6*e3*H_bus_3_2 + e2*(6*H_bus_2_2
+    //   + H_wheel_1_2 - H_wheel_2_2)) + e0*(6*e1'*H_bus_3 - e3'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) -
+    //   e0*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2)) + e3*(6*e2'*H_bus_3 + e3'*(6*H_bus_2 + H_wheel_1 -
+    //   H_wheel_2) + e3*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2))) + sqrt(3)*(e1*(e1*(e2'*(H_wheel_3 -
+    //   H_wheel_1 - H_wheel_2) + e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e1*(H_wheel_1_2 + H_wheel_2_2
+    //   - 2*H_wheel_3_2) + e2*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2) - 2*e3*(H_wheel_1_2 + H_wheel_2_2
+    //   + H_wheel_3_2)) + e0*(e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e2'*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e0*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)) + e2*(e1'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e2*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2)) + e3*(e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - e1'*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e3*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2))) + e2*(e2*(e1'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) + e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2) - 2*e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) + e0*(e3'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) - e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e0*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2)) - e3*(e3'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e2'*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e3*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2))) + e3*(e0*(e1'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) + e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*e0*(H_wheel_1_2 + H_wheel_2_2 +
+    //   H_wheel_3_2)) - e3*(e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e2'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + 2*e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^2)
     let f1 = f1_of_e0_e1_e2_e3
-        * (S::int(6) * f1_of_motion_2 + e3_dot * h_bus_3_times_18
-            + w_S_1_of_e0_e1_e2_e3
-                * (e0
-                    * (w_S_in_axle_base_1_of_
-                        * (H_wheel_3
-                            * (e1 * (e2_dot - e3_dot) + e2 * (e3_dot - e1_dot)
-                                - e0 * (e3_dot + e1_dot_plus_e2_dot) + e3_e1_dot_minus_e2_dot)
-                            - f1_of_place * (e0_e3_dot + w_S_3_of_motion_2))
-                        + S::int(6) * e3_dot * (-e1).mul_add(f1_of_place_2, e2 * f1_of_place_3)
-                        - h_wheel_1_plus_h_wheel_2 * f1_of_
-                            * e3_dot.mul_add(e1_minus_e2, f1_of_motion)
-                        - e0_times_6 * e3_dot.mul_add(h_bus_3_times_3, f1_of_motion_2)
-                        + f1_of_motion_3 * e3_times_6 + f1_of_motion_4)
-                    - e3_e3_dot * e3_f1_of_place_8
-                    - e1
-                        * (e1_dot
-                            * (e2.mul_add(f1_of_place_6, e1 * f1_of_place_5)
-                                + e3_f1_of_place_8) + f1_of_motion_5)
+        * (w_S_in_axle_base_1_of_
+            * (e1
+                * (e1 * (e1_f1_of_place_2 + f1_of_e3_dot - f1_of_e2_dot)
+                    + e0 * (e3_dot_f1_of_place_4 + f1_of_e2_dot_2)
+                    + e2 * (e1_dot_f1_of_place_4 + f1_of_e2_dot_3)
+                    + e3 * (f1_of_e3_dot_2 - e1_dot_f1_of_place_3))
+                + e2
+                    * (e3 * (f1_of_e3_dot_2 - e2_dot_f1_of_place_3)
+                        + e2 * (f1_of_e3_dot - f1_of_e1_dot)
+                        - e0 * (e3_dot_f1_of_place_4 + f1_of_e1_dot_2))
+                - e3 * (e0 * (e1_dot_f1_of_place_4 + f1_of_e2_dot_4) + f1_of_motion))
+            - e1_times_3
+                * (e2 * (f1_of_e1_dot_3 + f1_of_e2_dot_5)
+                    + e1 * (e3_h_bus_3_2_times_6 + f1_of_motion_2) + e0 * f1_of_motion_3
+                    + e3
+                        * (e1_dot_h_bus_3_times_6 + e3_dot_f1_of_place_10 + e3_f1_of_place_9))
+            - e2_times_3
+                * (e2 * (e3_h_bus_3_2_times_6 - f1_of_motion_4) + e0 * f1_of_motion_5
+                    + e3
+                        * (e3_dot_f1_of_place_7 + e2_dot_h_bus_3_times_6 + e3_f1_of_place_11))
+            + e3_times_3 * (e0 * (e1_dot_f1_of_place_7 - f1_of_e2_dot_7) + f1_of_motion_6));
+    // f2 = 4*(3*e0*(e3*(e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3'*(6*H_bus_1 - H_wheel_1 + H_wheel_2)
+    //   + e0*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) +
+    //   e0*(e3'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) - 6*e2'*H_bus_3 + 6*e2*H_bus_3_2 + e0*(6*H_bus_1_2 -
+    //   H_wheel_1_2 + H_wheel_2_2)) + e1*(e2'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) - 6*e3'*H_bus_3 +
+    //   e1*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) + e2*(6*e0'*H_bus_3 + e2'*(6*H_bus_1 - H_wheel_1 +
+    //   H_wheel_2) + e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2))) - 3*e3*(e1*(e2'*(6*H_bus_1 - H_wheel_1 +
+    //   H_wheel_2) - 6*e0'*H_bus_3 + e1*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2)) + e3*(6*e2'*H_bus_3 +
+    //   e0'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + e3*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2))) +
+    //   3*e2*(e1*(e0'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e3'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) +
+    //   6*e1*H_bus_3_2) + e3*(6*e3'*H_bus_3 - e2'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*e3*H_bus_3_2) +
+    //   e2*(e3'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e0'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) +
+    //   6*e2*H_bus_3_2 + e3*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2))) - sqrt(3)*(e0*(e0*(e3'*(H_wheel_1 +
+    //   H_wheel_2 - H_wheel_3) + e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e0*(H_wheel_1_2 + H_wheel_2_2
+    //   - 2*H_wheel_3_2) + e3*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2) - 2*e2*(H_wheel_1_2 + H_wheel_2_2
+    //   + H_wheel_3_2)) + e1*(e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e3'*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e1*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)) + e2*(e2'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) - e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e2*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2)) + e3*(e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e3'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + e3*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2))) + e2*(e2*(e0'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) + e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3*(2*H_wheel_3_2 - H_wheel_1_2 -
+    //   H_wheel_2_2) - 2*e2*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) + e1*(e0'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*e1*(H_wheel_1_2 + H_wheel_2_2 +
+    //   H_wheel_3_2)) - e3*(e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3'*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + 2*e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2))) + e3*(e3*(e0'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) + e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3*(2*H_wheel_3_2 - H_wheel_1_2 -
+    //   H_wheel_2_2)) - e1*(e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0'*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e1*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^2)
+    let f2 = -f1_of_e0_e1_e2_e3
+        * (w_S_in_axle_base_1_of_
+            * (e0
+                * (e1 * (e1_f1_of_place_2 + e3_dot_f1_of_place_3 - e2_dot_f1_of_place_4)
+                    + e0 * (f1_of_e2_dot_2 - e3_f1_of_place_2 - f2_of_e3_dot)
+                    + e2 * (f1_of_e2_dot_3 - e0_dot_f1_of_place_3)
+                    + e3 * (f1_of_e3_dot_2 - e0_dot_f1_of_place_4))
+                - e2
+                    * (e3 * (e3_dot_f1_of_place_3 + f1_of_e2_dot)
+                        + e2 * (f2_of_e3_dot + f2_of_e0_dot)
+                        + e1 * (f2_of_e3_dot_2 - e0_dot_f1_of_place_4))
+                + e3 * (-e1).mul_add(f2_of_motion, f2_of_motion_2))
+            + e2_times_3
+                * (e2 * (f2_of_e0_dot_3 - f2_of_e3_dot_3)
+                    - e1 * (e0_dot_f1_of_place_7 + f2_of_e3_dot_4)
+                    + e3 * (e2_dot_f1_of_place_7 - f2_of_e3_dot_5)) + e3_times_3 * f2_of_motion_3
+            + e0_times_3
+                * (e3 * (f1_of_e3_dot_4 + f2_of_e0_dot_4) - e1 * f1_of_motion_2
+                    - e0 * (f1_of_motion_3 + e2_h_bus_3_2_times_6)
                     - e2
-                        * (e3 * e3_dot.mul_add(f1_of_place_6, e2_dot_f1_of_place_8)
-                            + e2_e2_dot_f1_of_place_6))
-            + f1_of_
-                * (-f1_of_place_9)
-                    .mul_add(e1_plus_e2, e1_dot_plus_e2_dot * h_wheel_1_plus_h_wheel_2)
-            + w_S_in_axle_base_1_of_
-                * (e3_dot.mul_add(f1_of_place_7, H_wheel_3 * e1_dot_plus_e2_dot)
-                    - e3 * f1_of_place_10_doubled - e1_plus_e2 * h_wheel_3_2_doubled)
-            - f1_of_place_11 * e1_times_6 - f1_of_place_12 * e2_times_6 - e3 * h_bus_3_2_times_18);
-    // f2 = 4*(18*e2*H_bus_3_2 - 18*e2'*H_bus_3 - 6*e0'*(3*H_bus_1 - H_wheel_1) - 6*e3'*(H_wheel_2 -
-    //   3*H_bus_2) - (e3*(e3*e3'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) +
-    //   H_wheel_3*sqrt(3)) + e2*(e2'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) +
-    //   H_wheel_3*sqrt(3)) - e3'*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)))) -
-    //   e2^2*e2'*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)) - e1*(18*H_bus_3*(e3*e0' -
-    //   e0*e3') + 6*(H_wheel_1*(e2*(e0' + e3') - e2'*(e0 + e3) + e1*(e0' - e3')) + H_wheel_2*(e2*(e0' + e3')
-    //   - e2'*(e0 + e3) + e1*(e0' - e3')))/(3 + sqrt(3)) + 6*e1*(3*e2'*H_bus_3 + e0'*(3*H_bus_1 - H_wheel_1)
-    //   + e3'*(H_wheel_2 - 3*H_bus_2)) + 6*e2*(e3'*(3*H_bus_1 - H_wheel_1) + e0'*(3*H_bus_2 - H_wheel_2)) -
-    //   6*e2'*(e3*(3*H_bus_1 - H_wheel_1) + e0*(3*H_bus_2 - H_wheel_2)) + sqrt(3)*(2*H_wheel_1*(e3*e0' -
-    //   e0*e3' + e1*e2') + 2*H_wheel_2*(e3*e0' - e0*e3' + e1*e2') + H_wheel_3*(e3*(e0' - e2') + e1*(e0' +
-    //   e2' - e3') - e0*(e2' + e3') + e2*(e0' + e3')))) - e0*(e2*e2'*(18*H_bus_1 - 6*H_wheel_1 +
-    //   6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e3*e3'*(18*H_bus_1 - 6*H_wheel_1 +
-    //   6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e0'*(e0*(18*H_bus_1 - 6*H_wheel_1 +
-    //   6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) + e3*(6*H_wheel_2 - 18*H_bus_2 -
-    //   6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) - H_wheel_3*sqrt(3)) + e2*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1
-    //   + 2*H_wheel_2 + H_wheel_3)))))/(e0^2 + e1^2 + e2^2 + e3^2) - 6*e0*(H_wheel_1_2 - 3*H_bus_1_2) -
-    //   6*e3*(3*H_bus_2_2 - H_wheel_2_2) - 6*(e0'*(H_wheel_1 + H_wheel_2) - e3'*(H_wheel_1 + H_wheel_2) -
-    //   e0*(H_wheel_1_2 + H_wheel_2_2) + e3*(H_wheel_1_2 + H_wheel_2_2))/(3 + sqrt(3)) -
-    //   sqrt(3)*(e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - H_wheel_3*(e3' - e0') - 2*H_wheel_3_2*(e0 -
-    //   e3) - 2*e2*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
-    let f2 = f1_of_e0_e1_e2_e3
-        * (e0_times_6 * f1_of_place_11 - e2_dot * h_bus_3_times_18
-            - e3_times_6 * f1_of_place_12 + e2 * h_bus_3_2_times_18 - S::int(6) * f2_of_motion_2
-            - w_S_1_of_e0_e1_e2_e3
-                * (e1
-                    * (S::int(6) * e2_dot * e3.mul_add(f1_of_place_3, e0 * f1_of_place_2)
-                        + w_S_in_axle_base_1_of_
-                            * (f1_of_place * (w_S_3_of_motion - e1_e2_dot)
-                                + H_wheel_3
-                                    * (e3 * (e2_dot - e0_dot) + e0 * (e2_dot + e3_dot)
-                                        - e1 * (e2_dot + e0_dot_minus_e3_dot)
-                                        - e2_e0_dot_plus_e3_dot))
-                        + h_wheel_1_plus_h_wheel_2 * f1_of_
-                            * e2_dot.mul_add(e0_plus_e3, -f2_of_motion)
-                        - e1_times_6 * e2_dot.mul_add(h_bus_3_times_3, f2_of_motion_2)
-                        - e2_times_6 * f2_of_motion_3 + f2_of_motion_4)
-                    - e2_e2_dot * e2_f1_of_place_8
-                    - e0
-                        * (f1_of_motion_5
-                            + e0_dot
-                                * ((-e3).mul_add(f1_of_place_6, e0 * f1_of_place_5)
-                                    + e2_f1_of_place_8))
-                    + e3
-                        * (e2 * e2_dot.mul_add(f1_of_place_6, -e3_dot_f1_of_place_8)
-                            + e3_e3_dot_f1_of_place_6))
-            - w_S_in_axle_base_1_of_
-                * ((-e2).mul_add(f1_of_place_10_doubled, e2_dot * f1_of_place_7)
-                    + H_wheel_3 * e0_dot_minus_e3_dot - h_wheel_3_2_doubled * e0_minus_e3)
-            - f1_of_
-                * (-f1_of_place_9)
-                    .mul_add(
-                        e0_minus_e3,
-                        h_wheel_1_plus_h_wheel_2 * e0_dot_minus_e3_dot,
-                    ));
-    // f3 = 4*(18*e1'*H_bus_3 - 6*e3'*(3*H_bus_1 - H_wheel_1) - 6*e0'*(3*H_bus_2 - H_wheel_2) -
-    //   (e1^2*e1'*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)) + e2*(18*H_bus_3*(e0*e3' -
-    //   e3*e0') - 6*(H_wheel_1*(e1'*(e3 - e0) + e2*(e0' + e3') + e1*(e0' - e3')) + H_wheel_2*(e1'*(e3 - e0)
-    //   + e2*(e0' + e3') + e1*(e0' - e3')))/(3 + sqrt(3)) + 6*e2*(3*e1'*H_bus_3 - e3'*(3*H_bus_1 -
-    //   H_wheel_1) - e0'*(3*H_bus_2 - H_wheel_2)) - 6*e1*(e0'*(3*H_bus_1 - H_wheel_1) + e3'*(H_wheel_2 -
-    //   3*H_bus_2)) + 6*e1'*(e0*(3*H_bus_1 - H_wheel_1) + e3*(H_wheel_2 - 3*H_bus_2)) -
-    //   sqrt(3)*(2*H_wheel_1*(e3*e0' - e2*e1' - e0*e3') + 2*H_wheel_2*(e3*e0' - e2*e1' - e0*e3') +
-    //   H_wheel_3*(e3*(e0' + e1') + e1*(e0' - e3') + e2*(e0' - e1' + e3') - e0*(e1' + e3')))) -
-    //   e0*(e1*e1'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3))
-    //   + e3*e3'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) +
-    //   e0'*(e3*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) +
-    //   e0*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) -
-    //   e1*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)))) + e3*(e1*(e1'*(6*H_wheel_1 -
-    //   18*H_bus_1 - 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) - H_wheel_3*sqrt(3)) + e3'*(18*H_bus_3 +
-    //   sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3))) - e3*e3'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1
-    //   + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3))))/(e0^2 + e1^2 + e2^2 + e3^2) - 18*e1*H_bus_3_2 -
-    //   6*e3*(H_wheel_1_2 - 3*H_bus_1_2) - 6*e0*(H_wheel_2_2 - 3*H_bus_2_2) - 6*(e0'*(H_wheel_1 + H_wheel_2)
-    //   - e0*(H_wheel_1_2 + H_wheel_2_2) + e3'*(H_wheel_1 + H_wheel_2) - e3*(H_wheel_1_2 + H_wheel_2_2))/(3
-    //   + sqrt(3)) - sqrt(3)*(H_wheel_3*(e0' + e3') - e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) -
-    //   2*H_wheel_3_2*(e0 + e3) + 2*e1*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)))/(9*(e0^2 + e1^2 + e2^2 +
-    //   e3^2))
+                        * (e2_f1_of_place_9 + e2_dot_f1_of_place_10 + e0_dot_h_bus_3_times_6)));
+    // f3 = 4*(3*e3*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2*(6*H_bus_1_2 -
+    //   H_wheel_1_2 + H_wheel_2_2)) + e3*(6*e1'*H_bus_3 + e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) +
+    //   e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2))) - 3*e0*(e2*(6*e3'*H_bus_3 + e1'*(6*H_bus_1 -
+    //   H_wheel_1 + H_wheel_2) + e2*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2)) - e3*(e3'*(6*H_bus_2 +
+    //   H_wheel_1 - H_wheel_2) + e0'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + e3*(6*H_bus_2_2 + H_wheel_1_2 -
+    //   H_wheel_2_2) + e0*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) - e0*(6*e1'*H_bus_3 - e3'*(6*H_bus_1 -
+    //   H_wheel_1 + H_wheel_2) - 6*e1*H_bus_3_2 - e0*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2)) -
+    //   e1*(e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) - 6*e0'*H_bus_3 + e1*(6*H_bus_2_2 + H_wheel_1_2 -
+    //   H_wheel_2_2))) - 3*e1*(e2*(e3'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e0'*(H_wheel_1 - 6*H_bus_1 -
+    //   H_wheel_2) + 6*e2*H_bus_3_2) - e1*(e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3'*(H_wheel_1 -
+    //   6*H_bus_1 - H_wheel_2) - 6*e1*H_bus_3_2 + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) +
+    //   e3*(6*e3'*H_bus_3 + e1'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) + 6*e3*H_bus_3_2)) -
+    //   sqrt(3)*(e0*(e0*(e3'*(H_wheel_3 - H_wheel_1 - H_wheel_2) - e1'*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e0*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2) + e3*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2) + 2*e1*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) + e1*(e1'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e1*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2)) + e2*(e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e3'*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e2*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)) + e3*(e0'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2))) + e1*(e3*(e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3'*(2*H_wheel_1 + 2*H_wheel_2
+    //   + H_wheel_3) + 2*e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) - e1*(e0'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3*(2*H_wheel_3_2 - H_wheel_1_2 -
+    //   H_wheel_2_2) - 2*e1*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) - e2*(e0'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) + e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*e2*(H_wheel_1_2 + H_wheel_2_2 +
+    //   H_wheel_3_2))) + e3*(e2*(e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - e0'*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e2*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)) + e3*(e0'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) - e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^2)
     let f3 = f1_of_e0_e1_e2_e3
-        * (e1_dot * h_bus_3_times_18 - e1 * h_bus_3_2_times_18
-            + e3_times_6 * f1_of_place_11 + e0_times_6 * f1_of_place_12
+        * (-e1_times_3
+            * (e2 * (f2_of_e3_dot_3 - e0_dot_f1_of_place_10)
+                + e3 * (f2_of_e3_dot_5 - e1_dot_f1_of_place_10)
+                + e1 * (f2_of_e3_dot_4 + f2_of_e0_dot_4)) + e3_times_3 * f3_of_motion_2
+            - e0_times_3
+                * (-e3 * (f1_of_e3_dot_3 + f2_of_e0_dot_3) + e2 * f1_of_motion_4
+                    - e0 * (f1_of_motion_5 - e1_h_bus_3_2_times_6)
+                    - e1
+                        * (e1_dot_f1_of_place_7 + e1_f1_of_place_11 - e0_dot_h_bus_3_times_6))
             - w_S_in_axle_base_1_of_
-                * ((-e1_dot).mul_add(f1_of_place_7, e1 * f1_of_place_10_doubled)
-                    + H_wheel_3 * e0_dot_plus_e3_dot - h_wheel_3_2_doubled * e0_plus_e3)
-            - f1_of_
-                * (-f1_of_place_9)
-                    .mul_add(e0_plus_e3, h_wheel_1_plus_h_wheel_2 * e0_dot_plus_e3_dot)
-            - S::int(6) * f2_of_motion_3
-            - w_S_1_of_e0_e1_e2_e3
-                * (e3
-                    * (e1 * (-e1_dot).mul_add(f1_of_place_5, e3_dot_f1_of_place_8)
-                        - e3_e3_dot * f1_of_place_5)
-                    + e2
-                        * (S::int(6) * e1_dot * (-e3).mul_add(f1_of_place_2, e0 * f1_of_place_3)
-                            + w_S_in_axle_base_1_of_
-                                * (f1_of_place * (w_S_3_of_motion + e2_e1_dot)
-                                    + H_wheel_3
-                                        * (e0 * (e1_dot + e3_dot) - e3 * (e0_dot + e1_dot)
-                                            + e2 * (e1_dot - e0_dot_plus_e3_dot)
-                                            - e1_e0_dot_minus_e3_dot)) - e1_times_6 * f2_of_motion_2
-                            + e2_times_6 * e1_dot.mul_add(h_bus_3_times_3, -f2_of_motion_3)
-                            + f2_of_motion_4
-                            + h_wheel_1_plus_h_wheel_2 * f1_of_
-                                * e1_dot.mul_add(e0_minus_e3, -f2_of_motion))
-                    + e1_e1_dot * e1_f1_of_place_8
-                    - e0
-                        * (e3_e3_dot_f1_of_place_6 + e1_e1_dot * f1_of_place_6
-                            + e0_dot
-                                * (e3.mul_add(f1_of_place_5, -e1_f1_of_place_8)
-                                    + e0 * f1_of_place_6))));
-    // f4 = 4*((e0^2*e0'*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)) +
-    //   e3*(18*H_bus_3*(e1*e2' - e2*e1') + 6*(H_wheel_1*(e0'*(e1 + e2) + e3*(e1' - e2') - e0*(e1' + e2')) +
-    //   H_wheel_2*(e0'*(e1 + e2) + e3*(e1' - e2') - e0*(e1' + e2')))/(3 + sqrt(3)) + 6*e3*(3*e0'*H_bus_3 +
-    //   e2'*(H_wheel_1 - 3*H_bus_1) + e1'*(3*H_bus_2 - H_wheel_2)) - 6*e0*(e1'*(3*H_bus_1 - H_wheel_1) +
-    //   e2'*(3*H_bus_2 - H_wheel_2)) + 6*e0'*(e1*(3*H_bus_1 - H_wheel_1) + e2*(3*H_bus_2 - H_wheel_2)) -
-    //   sqrt(3)*(2*H_wheel_1*(e2*e1' - e3*e0' - e1*e2') + 2*H_wheel_2*(e2*e1' - e3*e0' - e1*e2') +
-    //   H_wheel_3*(e2*(e1' - e0') + e0*(e1' + e2') + e3*(e2' - e0' - e1') - e1*(e0' + e2')))) +
-    //   e1*(e0*e0'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3))
-    //   + e2*e2'*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) +
-    //   e1'*(e2*(6*H_wheel_1 - 18*H_bus_1 - 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) - H_wheel_3*sqrt(3)) +
-    //   e1*(18*H_bus_2 - 6*H_wheel_2 + 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3)) +
-    //   e0*(18*H_bus_3 + sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3)))) + e2*(e0*(e0'*(6*H_wheel_1 -
-    //   18*H_bus_1 - 6*(H_wheel_1 + H_wheel_2)/(3 + sqrt(3)) - H_wheel_3*sqrt(3)) + e2'*(18*H_bus_3 +
-    //   sqrt(3)*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3))) - e2*e2'*(18*H_bus_1 - 6*H_wheel_1 + 6*(H_wheel_1
-    //   + H_wheel_2)/(3 + sqrt(3)) + H_wheel_3*sqrt(3))))/(e0^2 + e1^2 + e2^2 + e3^2) - 18*e0'*H_bus_3 -
-    //   6*e2'*(H_wheel_1 - 3*H_bus_1) - 6*e1'*(3*H_bus_2 - H_wheel_2) + 18*e0*H_bus_3_2 - 6*e2*(3*H_bus_1_2
-    //   - H_wheel_1_2) - 6*e1*(H_wheel_2_2 - 3*H_bus_2_2) - 6*(e1'*(H_wheel_1 + H_wheel_2) - e2'*(H_wheel_1
-    //   + H_wheel_2) - e1*(H_wheel_1_2 + H_wheel_2_2) + e2*(H_wheel_1_2 + H_wheel_2_2))/(3 + sqrt(3)) -
-    //   sqrt(3)*(e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - H_wheel_3*(e2' - e1') - 2*H_wheel_3_2*(e1 -
-    //   e2) - 2*e0*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)))/(9*(e0^2 + e1^2 + e2^2 + e3^2))
-    let f4 = f1_of_e0_e1_e2_e3
-        * (e1_times_6 * f1_of_place_12 - S::int(6) * f1_of_motion_3 - e0_dot * h_bus_3_times_18
-            - f1_of_
-                * (-e1_minus_e2)
-                    .mul_add(
-                        f1_of_place_9,
-                        e1_dot_minus_e2_dot * h_wheel_1_plus_h_wheel_2,
-                    )
-            - w_S_in_axle_base_1_of_
-                * (e0_dot.mul_add(f1_of_place_7, H_wheel_3 * e1_dot_minus_e2_dot)
-                    - e0 * f1_of_place_10_doubled - e1_minus_e2 * h_wheel_3_2_doubled)
-            - f1_of_place_11 * e2_times_6 + e0 * h_bus_3_2_times_18
-            + w_S_1_of_e0_e1_e2_e3
-                * (e2
-                    * (e0 * (-e0_dot).mul_add(f1_of_place_5, e2_dot_f1_of_place_8)
-                        - e2_e2_dot * f1_of_place_5)
-                    + e3
-                        * (S::int(6) * e0_dot * e1.mul_add(f1_of_place_3, e2 * f1_of_place_2)
-                            + w_S_in_axle_base_1_of_
-                                * (f1_of_place * (e3_e0_dot - w_S_3_of_motion_2)
-                                    + H_wheel_3
-                                        * (e2 * (e0_dot - e1_dot) + e1 * (e0_dot + e2_dot)
-                                            + e3 * (e0_dot + e1_dot_minus_e2_dot)
-                                            - e0_e1_dot_plus_e2_dot)) - f1_of_motion_2 * e0_times_6
-                            + e3_times_6 * e0_dot.mul_add(h_bus_3_times_3, f1_of_motion_3)
-                            + f1_of_motion_4
-                            + h_wheel_1_plus_h_wheel_2 * f1_of_
-                                * e0_dot.mul_add(e1_plus_e2, -f1_of_motion))
-                    + e0_e0_dot * e0_f1_of_place_8
+                * (e0
+                    * (e2 * (f1_of_e3_dot - e1_dot_f1_of_place_4)
+                        + e3 * (f1_of_e3_dot_2 + e0_dot_f1_of_place_4)
+                        + e0 * (e3_f1_of_place_2 - f1_of_e1_dot_2 + f2_of_e3_dot_2)
+                        + e1 * (e1_dot_f1_of_place_4 + f2_of_e0_dot_2))
                     + e1
-                        * (e2_e2_dot_f1_of_place_6 + e0_e0_dot * f1_of_place_6
-                            + e1_dot
-                                * ((-e2).mul_add(f1_of_place_5, e1 * f1_of_place_6)
-                                    + e0_f1_of_place_8))));
+                        * (e3 * (e3_dot_f1_of_place_3 + f1_of_e1_dot)
+                            + e2 * (f2_of_e3_dot + e0_dot_f1_of_place_4)
+                            + e1 * (f2_of_e3_dot_2 + f3_of_e0_dot)) + e3 * f3_of_motion));
+    // f4 = 4*(3*e1*(e1*(e2'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) - 6*e0'*H_bus_3 + e1*(6*H_bus_2_2 +
+    //   H_wheel_1_2 - H_wheel_2_2)) + e3*(6*e2'*H_bus_3 + e0'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) +
+    //   e3*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2)) - e2*(e2'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) +
+    //   e1'*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + e2*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) +
+    //   e1*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) + e0*(6*e1'*H_bus_3 + e0'*(6*H_bus_2 + H_wheel_1 -
+    //   H_wheel_2) + 6*e1*H_bus_3_2 + e0*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2))) -
+    //   3*e2*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2*(6*H_bus_1_2 - H_wheel_1_2 +
+    //   H_wheel_2_2)) + e3*(6*e1'*H_bus_3 + e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3*(6*H_bus_1_2 -
+    //   H_wheel_1_2 + H_wheel_2_2))) + 3*e0*(e2*(6*e2'*H_bus_3 + e0'*(H_wheel_1 - 6*H_bus_1 - H_wheel_2) +
+    //   6*e2*H_bus_3_2) - e3*(e2'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e1'*(6*H_bus_1 - H_wheel_1 +
+    //   H_wheel_2) - 6*e3*H_bus_3_2) - e0*(e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + e2'*(H_wheel_1 -
+    //   6*H_bus_1 - H_wheel_2) - 6*e0*H_bus_3_2 + e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2))) +
+    //   sqrt(3)*(e2*(e2*(e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - e0'*(2*H_wheel_1 + 2*H_wheel_2 +
+    //   H_wheel_3) + e2*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)) + e3*(e0'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) - e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e3*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2))) + e0*(e3*(e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e2'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + 2*e3*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) + e0*(2*e0*(H_wheel_1_2 + H_wheel_2_2 +
+    //   H_wheel_3_2) - e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) - e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) -
+    //   e1*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2) - e2*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2)) +
+    //   e1*(e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   2*e1*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) + e2*(e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) +
+    //   e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e2*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2))) +
+    //   e1*(e3*(e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
+    //   e3*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2)) - e1*(e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) +
+    //   e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + e1*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2) +
+    //   e2*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2)) - e2*(e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
+    //   e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e2*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2)))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)^2)
+    let f4 = f1_of_e0_e1_e2_e3
+        * (e1_times_3
+            * (e0
+                * (e1_dot_h_bus_3_times_6 + e0_f1_of_place_11 + e0_dot_f1_of_place_7
+                    + e1_h_bus_3_2_times_6) - e2 * (f1_of_e2_dot_6 + f1_of_e1_dot_4)
+                + f2_of_motion_3)
+            - e0_times_3
+                * (e0 * (f1_of_e1_dot_3 - f1_of_e2_dot_7) + f1_of_motion_6
+                    + e2
+                        * (e0_dot_f1_of_place_10 - e2_dot_h_bus_3_times_6 - e2_h_bus_3_2_times_6))
+            + w_S_in_axle_base_1_of_
+                * (e1
+                    * (e2 * (e1_dot_f1_of_place_4 - f1_of_e2_dot_3)
+                        + e1 * (e2_f1_of_place_2 - f2_of_motion) + f2_of_motion_2)
+                    + e0
+                        * (f1_of_motion
+                            + e2
+                                * (e2_dot_f1_of_place_3 + e2_f1_of_place_5_doubled
+                                    + e0_dot_f1_of_place_4)
+                            + e1
+                                * (e1_dot_f1_of_place_3 - e0_dot_f1_of_place_4
+                                    + e1_f1_of_place_5_doubled)
+                            + e0 * (f1_of_e2_dot_4 - e1_f1_of_place_2 + f3_of_e1_dot))
+                    + e2 * f3_of_motion) - e2_times_3 * f3_of_motion_2);
     // f5 = T + 4*H_wheel_3_2/3
     let f5 = T + S::ratio(4, 3) * H_wheel_3_2;
     // f6 = -2*e0'^2 - 2*e1'^2 - 2*e2'^2 - 2*e3'^2
@@ -671,7 +707,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
 
 /// The accelerations (e0'', e1'', e2'', e3'', phi''), solved for when this code was generated.
 ///
-/// 338 operations, 1 other function.
+/// 292 operations, 1 other function.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(
@@ -792,183 +828,149 @@ pub fn accelerations<S: Scalar>(
     let H_wheel_3_2 = J * w_S_in_axle_base_3_2;
     // H_wheel_1_2 + H_wheel_2_2
     let r1_of_place = H_wheel_1_2 + H_wheel_2_2;
-    let t_times_3 = S::int(3) * T;
-    // t_times_3 - 4*r1_of_place
-    let r1_of_place_2 = (-r1_of_place).mul_add(S::int(4), t_times_3);
+    // H_wheel_3_2 + r1_of_place
+    let r1_of_place_2 = H_wheel_3_2 + r1_of_place;
+    let r1_of_place_2_doubled = S::int(2) * r1_of_place_2;
     // e1' - e2'
     let e1_dot_minus_e2_dot = e1_dot - e2_dot;
     // H_wheel_1 + H_wheel_2
     let h_wheel_1_plus_h_wheel_2 = H_wheel_1 + H_wheel_2;
     // h_wheel_1_plus_h_wheel_2 - H_wheel_3
     let r1_of_place_3 = h_wheel_1_plus_h_wheel_2 - H_wheel_3;
-    let r1_of_place_3_doubled = S::int(2) * r1_of_place_3;
+    // e1' + e2'
+    let e1_dot_plus_e2_dot = e1_dot + e2_dot;
     // e0' + e3'
     let e0_dot_plus_e3_dot = e0_dot + e3_dot;
     // e0' - e3'
     let e0_dot_minus_e3_dot = e0_dot - e3_dot;
-    // e1' + e2'
-    let e1_dot_plus_e2_dot = e1_dot + e2_dot;
-    // 2*r1_of_place + t_times_3
-    let r1_of_place_4 = r1_of_place.mul_add(S::int(2), t_times_3);
-    // H_wheel_3 + 2*h_wheel_1_plus_h_wheel_2
-    let r1_of_place_5 = h_wheel_1_plus_h_wheel_2.mul_add(S::int(2), H_wheel_3);
-    let r1_of_place_5_doubled = S::int(2) * r1_of_place_5;
+    // H_wheel_1 - H_wheel_2
+    let r1_of_place_4 = H_wheel_1 - H_wheel_2;
+    let w_s_2_of_motion_times_18 = S::int(18) * w_S_2_of_motion;
+    let w_s_1_of_motion_times_18 = S::int(18) * w_S_1_of_motion;
     // 1/(3*A + 2*K)
     let r1_of_a_k = S::int(1) / K.mul_add(S::int(2), S::int(3) * A);
     let k_r1_of_a_k = K * r1_of_a_k;
-    let w_s_2_of_motion_times_36 = S::int(36) * w_S_2_of_motion;
-    let w_s_1_of_motion_times_36 = S::int(36) * w_S_1_of_motion;
-    // H_wheel_1 - H_wheel_2
-    let r1_of_place_6 = H_wheel_1 - H_wheel_2;
+    // 3*T + 4*H_wheel_3_2
+    let r1_of_place_5 = H_wheel_3_2.mul_add(S::int(4), S::int(3) * T);
+    let r1_of_place_6 = r1_of_place_5 * w_S_in_axle_base_1_of_;
+    // H_wheel_3 + 2*h_wheel_1_plus_h_wheel_2
+    let r1_of_place_7 = h_wheel_1_plus_h_wheel_2.mul_add(S::int(2), H_wheel_3);
+    let r1_of_motion = w_S_3_of_motion * r1_of_place_3;
+    // w_S_1_of_e0_e1_e2_e3*(r1_of_place - 2*H_wheel_3_2)
+    let r1_of_place_8 = w_S_1_of_e0_e1_e2_e3 * (-H_wheel_3_2).mul_add(S::int(2), r1_of_place);
+    let w_s_3_of_motion_times_3 = S::int(3) * w_S_3_of_motion;
     // H_wheel_1_2 - H_wheel_2_2
-    let r1_of_place_7 = H_wheel_1_2 - H_wheel_2_2;
-    // 6*H_bus_1_2 - r1_of_place_7
-    let r1_of_place_8 = H_bus_1_2.mul_add(S::int(6), -r1_of_place_7);
-    // 6*H_bus_2 + r1_of_place_6
-    let r1_of_place_9 = H_bus_2.mul_add(S::int(6), r1_of_place_6);
-    let h_bus_3_times_6 = S::int(6) * H_bus_3;
-    // r1_of_place_6*(e3*e1_dot_minus_e2_dot + e2*e0_dot_plus_e3_dot + e1*e0_dot_minus_e3_dot -
-    //   e0*e1_dot_plus_e2_dot) + k_r1_of_a_k*(e2*(e2*r1_of_place_8 + e1'*r1_of_place_9 +
-    //   e0'*h_bus_3_times_6) + e3*(e3*r1_of_place_8 - e0'*r1_of_place_9 + e1'*h_bus_3_times_6) +
-    //   e0*(e0*r1_of_place_8 + e3'*r1_of_place_9 - e2'*h_bus_3_times_6) + e1*(e1*r1_of_place_8 -
-    //   e2'*r1_of_place_9 - e3'*h_bus_3_times_6))
-    let r1_of_motion = r1_of_place_6
-        * (e2.mul_add(e0_dot_plus_e3_dot, e3 * e1_dot_minus_e2_dot)
-            + e1 * e0_dot_minus_e3_dot - e0 * e1_dot_plus_e2_dot)
-        + k_r1_of_a_k
-            * (e2
-                * (e1_dot.mul_add(r1_of_place_9, e2 * r1_of_place_8) + e0_dot * h_bus_3_times_6)
-                + e3
-                    * ((-e0_dot).mul_add(r1_of_place_9, e3 * r1_of_place_8)
-                        + e1_dot * h_bus_3_times_6)
-                + e0
-                    * (e3_dot.mul_add(r1_of_place_9, e0 * r1_of_place_8) - e2_dot * h_bus_3_times_6)
-                + e1
-                    * ((-e2_dot).mul_add(r1_of_place_9, e1 * r1_of_place_8)
-                        - e3_dot * h_bus_3_times_6));
-    // r1 = (36*H_bus_1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*H_bus_2*(e1*e0' - e0*e1' - e3*e2' +
-    //   e2*e3') + 6*H_wheel_1*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3')) +
-    //   6*H_wheel_2*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' + e3') - e1*(e0' - e3')) + 36*H_bus_3_2*(e0^2
-    //   + e1^2 + e2^2 + e3^2) + 6*K*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) +
-    //   e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) - e0*(6*e2'*H_bus_3 + e3'*(H_wheel_2 - 6*H_bus_2 -
-    //   H_wheel_1) + e0*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) - e1*(6*e3'*H_bus_3 + e2'*(6*H_bus_2 +
-    //   H_wheel_1 - H_wheel_2) + e1*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) + e3*(6*e1'*H_bus_3 +
-    //   e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)))/(3*A + 2*K)
-    //   + sqrt(3)*(e3*(2*e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3)
-    //   + e3*(4*H_wheel_1_2 - 3*T + 4*H_wheel_2_2)) - K*(e0*(2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
-    //   2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) +
-    //   e1*(2*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
-    //   e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) + e2*(e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) -
-    //   2*e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2)) +
-    //   e3*(e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) - 2*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) -
-    //   2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3)))/(3*A + 2*K) - e0*(2*e1'*(H_wheel_3 - H_wheel_1 -
-    //   H_wheel_2) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2)) -
-    //   e1*(2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e1*(3*T
-    //   - 4*H_wheel_1_2 - 4*H_wheel_2_2)) - e2*(2*e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*e3'*(H_wheel_1
-    //   + H_wheel_2 - H_wheel_3) + e2*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2))))/(9*(e0^2 + e1^2 + e2^2 +
-    //   e3^2))
-    let r1 = S::ratio(1, 9) * w_s_1_of_e0_e1_e2_e3_inv
-        * (-w_S_in_axle_base_1_of_
-            * (e0
-                * (-e1_dot_minus_e2_dot)
-                    .mul_add(r1_of_place_3_doubled, e0 * r1_of_place_2)
-                + e1
-                    * r1_of_place_3_doubled
-                        .mul_add(e0_dot_plus_e3_dot, e1 * r1_of_place_2)
-                + e2
-                    * (-r1_of_place_3_doubled)
-                        .mul_add(e0_dot_minus_e3_dot, e2 * r1_of_place_2)
-                + e3
-                    * (-r1_of_place_3_doubled)
-                        .mul_add(e1_dot_plus_e2_dot, e3 * r1_of_place_2)
-                + k_r1_of_a_k
-                    * (e0
-                        * (e0.mul_add(r1_of_place_4, e3_dot * r1_of_place_3_doubled)
-                            + e2_dot * r1_of_place_5_doubled)
-                        + e1
-                            * ((-e2_dot)
-                                .mul_add(r1_of_place_3_doubled, e1 * r1_of_place_4)
-                                + e3_dot * r1_of_place_5_doubled)
-                        + e2
-                            * (e2.mul_add(r1_of_place_4, e1_dot * r1_of_place_3_doubled)
-                                - e0_dot * r1_of_place_5_doubled)
-                        + e3
-                            * ((-e0_dot)
-                                .mul_add(r1_of_place_3_doubled, e3 * r1_of_place_4)
-                                - e1_dot * r1_of_place_5_doubled)))
-            + S::int(36) * H_bus_3_2 * w_S_1_of_e0_e1_e2_e3
-            + H_bus_1 * w_s_2_of_motion_times_36 - H_bus_2 * w_s_1_of_motion_times_36
-            + S::int(6) * r1_of_motion);
-    let w3_dot_of_place = w_S_1_of_e0_e1_e2_e3 * r1_of_place_4;
-    let w3_dot_of_motion = w_S_3_of_motion * r1_of_place_3_doubled;
-    let w3_dot_of_e0_e1_e2_e3 = S::int(6) * w_S_1_of_e0_e1_e2_e3;
-    let w_s_3_of_motion_times_6 = S::int(6) * w_S_3_of_motion;
-    // H_bus_3*w_s_2_of_motion_times_36 + sqrt(3)*(w_S_2_of_motion*r1_of_place_5_doubled + w3_dot_of_place
-    //   + w3_dot_of_motion) - r1_of_place_8*w3_dot_of_e0_e1_e2_e3 - r1_of_place_9*w_s_3_of_motion_times_6
-    let w3_dot_of_motion_2 = w_S_in_axle_base_1_of_
-        * (w_S_2_of_motion.mul_add(r1_of_place_5_doubled, w3_dot_of_place)
-            + w3_dot_of_motion) + H_bus_3 * w_s_2_of_motion_times_36
-        - r1_of_place_8 * w3_dot_of_e0_e1_e2_e3 - r1_of_place_9 * w_s_3_of_motion_times_6;
-    // w_s_1_of_e0_e1_e2_e3_inv*(sqrt(3)*(w3_dot_of_place - w_S_1_of_motion*r1_of_place_5_doubled -
-    //   w3_dot_of_motion) - H_bus_3*w_s_1_of_motion_times_36 - w3_dot_of_e0_e1_e2_e3*(6*H_bus_2_2 +
-    //   r1_of_place_7) + w_s_3_of_motion_times_6*(6*H_bus_1 - r1_of_place_6) +
-    //   k_r1_of_a_k*w3_dot_of_motion_2)
-    let w3_dot_of_motion_3 = w_s_1_of_e0_e1_e2_e3_inv
+    let r1_of_place_9 = H_wheel_1_2 - H_wheel_2_2;
+    let r1_of_e0_e1_e2_e3 = S::int(3) * w_S_1_of_e0_e1_e2_e3;
+    // H_bus_3*w_s_2_of_motion_times_18 + sqrt(3)*(w_S_2_of_motion*r1_of_place_7 + r1_of_motion +
+    //   r1_of_place_8) - w_s_3_of_motion_times_3*(6*H_bus_2 + r1_of_place_4) +
+    //   r1_of_e0_e1_e2_e3*(r1_of_place_9 - 6*H_bus_1_2)
+    let r1_of_motion_2 = w_S_in_axle_base_1_of_
+        * (w_S_2_of_motion.mul_add(r1_of_place_7, r1_of_motion) + r1_of_place_8)
+        + H_bus_3 * w_s_2_of_motion_times_18
+        - w_s_3_of_motion_times_3 * H_bus_2.mul_add(S::int(6), r1_of_place_4)
+        + r1_of_e0_e1_e2_e3 * (-H_bus_1_2).mul_add(S::int(6), r1_of_place_9);
+    let r1_of_e0_e1_e2_e3_2 = S::int(2) * w_s_1_of_e0_e1_e2_e3_inv;
+    // r1_of_e0_e1_e2_e3_2*(H_bus_3*w_s_1_of_motion_times_18 + sqrt(3)*(w_S_1_of_motion*r1_of_place_7 +
+    //   r1_of_motion - r1_of_place_8) + w_s_3_of_motion_times_3*(r1_of_place_4 - 6*H_bus_1) +
+    //   r1_of_e0_e1_e2_e3*(6*H_bus_2_2 + r1_of_place_9) - k_r1_of_a_k*r1_of_motion_2)
+    let r1_of_motion_3 = r1_of_e0_e1_e2_e3_2
         * (w_S_in_axle_base_1_of_
-            * ((-w_S_1_of_motion).mul_add(r1_of_place_5_doubled, w3_dot_of_place)
-                - w3_dot_of_motion) - H_bus_3 * w_s_1_of_motion_times_36
-            - w3_dot_of_e0_e1_e2_e3 * H_bus_2_2.mul_add(S::int(6), r1_of_place_7)
-            + w_s_3_of_motion_times_6 * H_bus_1.mul_add(S::int(6), -r1_of_place_6)
-            + k_r1_of_a_k * w3_dot_of_motion_2);
+            * (w_S_1_of_motion.mul_add(r1_of_place_7, r1_of_motion) - r1_of_place_8)
+            + H_bus_3 * w_s_1_of_motion_times_18
+            + w_s_3_of_motion_times_3 * (-H_bus_1).mul_add(S::int(6), r1_of_place_4)
+            + r1_of_e0_e1_e2_e3 * H_bus_2_2.mul_add(S::int(6), r1_of_place_9)
+            - k_r1_of_a_k * r1_of_motion_2);
+    // A + K
+    let a_plus_k = A + K;
+    let k_r1_of_a_k_a_plus_k = k_r1_of_a_k * a_plus_k;
     // K*(k_r1_of_a_k - 2)
-    let w3_dot_of_a_k = K * (k_r1_of_a_k - S::int(2));
-    // 1/(3*B - w3_dot_of_a_k)
-    let w3_dot_of_a_b_k = S::int(1) / B.mul_add(S::int(3), -w3_dot_of_a_k);
-    // k_r1_of_a_k*(A + K)
-    let w3_dot_of_a_k_2 = k_r1_of_a_k * (A + K);
-    let w3_dot_of_a_b_k_2 = w3_dot_of_a_b_k * w3_dot_of_a_k_2;
-    let w3_dot_of_a_k_2_times_9 = S::int(9) * w3_dot_of_a_k_2;
-    // w3' = (3*r1 - K*(A + K)*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0' -
-    //   e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2 -
-    //   6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1'
-    //   + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2
-    //   - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
-    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
-    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A + 2*K) +
-    //   sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e3*e0' -
-    //   e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T +
-    //   2*H_wheel_1_2 + 2*H_wheel_2_2)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 +
-    //   e3^2)))/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A +
+    let r1_of_a_k_2 = K * (k_r1_of_a_k - S::int(2));
+    // 1/(3*B - r1_of_a_k_2)
+    let r1_of_a_b_k = S::int(1) / B.mul_add(S::int(3), -r1_of_a_k_2);
+    let r1_of_a_b_k_by_3 = S::ratio(1, 3) * r1_of_a_b_k;
+    // r1_of_place_6 + r1_of_motion_2*r1_of_e0_e1_e2_e3_2
+    let r1_of_motion_4 = r1_of_motion_2.mul_add(r1_of_e0_e1_e2_e3_2, r1_of_place_6);
+    // r1_of_place_6 + k_r1_of_a_k*r1_of_motion_4
+    let r1_of_motion_5 = k_r1_of_a_k.mul_add(r1_of_motion_4, r1_of_place_6);
+    // r1 = 2*(18*H_bus_3_2*(e0^2 + e1^2 + e2^2 + e3^2) - 18*H_bus_1*(e2*e0' - e0*e2' + e3*e1' - e1*e3') -
+    //   18*H_bus_2*(e0*e1' - e1*e0' + e3*e2' - e2*e3') - 3*H_wheel_1*(e0*(e1' + e2') - e3*(e1' - e2') -
+    //   e2*(e0' + e3') - e1*(e0' - e3')) - 3*H_wheel_2*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') +
+    //   e1*(e0' - e3')) - sqrt(3)*(e0*(e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e2'*(H_wheel_1 + H_wheel_2
+    //   - H_wheel_3) - 2*e0*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) - e3*(e1'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e3*(H_wheel_1_2 + H_wheel_2_2 +
+    //   H_wheel_3_2)) + e1*(e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) - 2*e1*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) + e2*(e0'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) + e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*e2*(H_wheel_1_2 + H_wheel_2_2 +
+    //   H_wheel_3_2))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - sqrt(3)*(3*T + 4*H_wheel_3_2)/9 - K*(sqrt(3)*(3*T
+    //   + 4*H_wheel_3_2) + 2*(18*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 -
+    //   6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + (e0^2 +
+    //   e1^2 + e2^2 + e3^2)*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)))/(e0^2 + e1^2 + e2^2 +
+    //   e3^2))/(9*(3*A + 2*K)) + K*(A + K)*(2*(18*H_bus_3*(e0*e1' - e1*e0' + e3*e2' - e2*e3') + 3*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 3*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2) - K*(18*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')
+    //   + 3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 3*(e0^2 + e1^2 + e2^2
+    //   + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2)))/(3*A + 2*K) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + (e0*e1' - e1*e0' + e3*e2' - e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + (e0^2 +
+    //   e1^2 + e2^2 + e3^2)*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2) -
+    //   sqrt(3)*(1 + K/(3*A + 2*K))*(3*T + 4*H_wheel_3_2))/(3*(3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K))))
+    let r1 = S::ratio(2, 9) * w_s_1_of_e0_e1_e2_e3_inv
+        * (w_S_in_axle_base_1_of_
+            * (e0 * e1_dot_minus_e2_dot.mul_add(r1_of_place_3, e0 * r1_of_place_2_doubled)
+                + e3
+                    * r1_of_place_3
+                        .mul_add(e1_dot_plus_e2_dot, e3 * r1_of_place_2_doubled)
+                + e1
+                    * (-r1_of_place_3)
+                        .mul_add(e0_dot_plus_e3_dot, e1 * r1_of_place_2_doubled)
+                + e2
+                    * r1_of_place_3
+                        .mul_add(e0_dot_minus_e3_dot, e2 * r1_of_place_2_doubled))
+            + S::int(18) * H_bus_3_2 * w_S_1_of_e0_e1_e2_e3
+            + S::int(3) * r1_of_place_4
+                * ((-e0).mul_add(e1_dot_plus_e2_dot, e3 * e1_dot_minus_e2_dot)
+                    + e2 * e0_dot_plus_e3_dot + e1 * e0_dot_minus_e3_dot)
+            + H_bus_1 * w_s_2_of_motion_times_18 - H_bus_2 * w_s_1_of_motion_times_18)
+        + k_r1_of_a_k_a_plus_k * r1_of_a_b_k_by_3
+            * (r1_of_motion_3 - r1_of_place_6 * (S::int(1) + k_r1_of_a_k))
+        - S::ratio(1, 9) * r1_of_motion_5;
+    // w3' = 3*r1/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A +
     //   2*K)))))
-    let w3_dot = (-w3_dot_of_motion_3).mul_add(w3_dot_of_a_b_k_2, S::int(3) * r1)
-        / (C.mul_add(S::int(3), -w3_dot_of_a_k) - w3_dot_of_a_b_k_2 * w3_dot_of_a_k_2_times_9);
-    // w2' = (9*K*w3'*(A + K)/(3*A + 2*K) - (36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' -
-    //   e3*e0' - e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 +
-    //   e3^2)*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')
-    //   + 6*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2
-    //   + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' +
-    //   e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 +
-    //   H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A +
-    //   2*K) + sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
-    //   2*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 +
-    //   e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*B + K*(2 - K/(3*A +
-    //   2*K))))
-    let w2_dot = S::ratio(1, 3) * w3_dot_of_a_b_k
-        * w3_dot.mul_add(w3_dot_of_a_k_2_times_9, -w3_dot_of_motion_3);
+    let w3_dot = S::int(3) * r1
+        / (C.mul_add(S::int(3), -r1_of_a_k_2)
+            - S::int(9) * k_r1_of_a_k_a_plus_k * k_r1_of_a_k_a_plus_k * r1_of_a_b_k);
+    // w2' = -(sqrt(3)*(3*T + 4*H_wheel_3_2) + 2*(K*(18*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') +
+    //   3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 3*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2)))/(3*A + 2*K) - 18*H_bus_3*(e0*e1' - e1*e0' + e3*e2' - e2*e3') - 3*(e3*e0' - e2*e1' +
+    //   e1*e2' - e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) - 3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*H_bus_2_2 +
+    //   H_wheel_1_2 - H_wheel_2_2) - sqrt(3)*((e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + (e0*e1' - e1*e0' + e3*e2' - e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + (e0^2 +
+    //   e1^2 + e2^2 + e3^2)*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2) +
+    //   K*(sqrt(3)*(3*T + 4*H_wheel_3_2) - 9*w3'*(A + K))/(3*A + 2*K))/(3*(3*B + K*(2 - K/(3*A + 2*K))))
+    let w2_dot = r1_of_a_b_k_by_3
+        * (r1_of_motion_3 - r1_of_place_6
+            - k_r1_of_a_k * (-(w3_dot * a_plus_k)).mul_add(S::int(9), r1_of_place_6));
     // w2' + w3'
     let w2_dot_plus_w3_dot = w2_dot + w3_dot;
-    // w1' = (3*K*(w2' + w3') - (36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' +
-    //   e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 -
-    //   6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
-    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
-    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 +
-    //   e3^2))/(3*(3*A + 2*K))
+    // w1' = (3*K*(w2' + w3') - sqrt(3)*(3*T + 4*H_wheel_3_2) - 2*(18*H_bus_3*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 3*(e0^2 + e1^2
+    //   + e2^2 + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*A + 2*K))
     let w1_dot = S::ratio(1, 3) * r1_of_a_k
-        * (-w_s_1_of_e0_e1_e2_e3_inv)
-            .mul_add(w3_dot_of_motion_2, S::int(3) * K * w2_dot_plus_w3_dot);
-    // sqrt(3)*(w1' + w2_dot_plus_w3_dot) - (4*H_wheel_3_2 + t_times_3)/J
+        * (K * w2_dot_plus_w3_dot).mul_add(S::int(3), -r1_of_motion_4);
+    // sqrt(3)*(w1' + w2_dot_plus_w3_dot) - r1_of_place_5/J
     let s_dot_of_motion = w_S_in_axle_base_1_of_ * (w1_dot + w2_dot_plus_w3_dot)
-        - H_wheel_3_2.mul_add(S::int(4), t_times_3) / J;
+        - r1_of_place_5 / J;
     // s' = (3*T + 4*H_wheel_3_2)/(3*J) - sqrt(3)*(w1' + w2' + w3')/3
     let s_dot = -S::ratio(1, 3) * s_dot_of_motion;
     let w1_dot_halved = S::ratio(1, 2) * w1_dot;
@@ -1252,7 +1254,7 @@ pub fn motion_variables<S: Scalar>(
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 338 operations, 1 other function.
+/// 292 operations, 1 other function.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
@@ -1373,183 +1375,149 @@ pub fn derivative<S: Scalar>(
     let H_wheel_3_2 = J * w_S_in_axle_base_3_2;
     // H_wheel_1_2 + H_wheel_2_2
     let r1_of_place = H_wheel_1_2 + H_wheel_2_2;
-    let t_times_3 = S::int(3) * T;
-    // t_times_3 - 4*r1_of_place
-    let r1_of_place_2 = (-r1_of_place).mul_add(S::int(4), t_times_3);
+    // H_wheel_3_2 + r1_of_place
+    let r1_of_place_2 = H_wheel_3_2 + r1_of_place;
+    let r1_of_place_2_doubled = S::int(2) * r1_of_place_2;
     // e1' - e2'
     let e1_dot_minus_e2_dot = e1_dot - e2_dot;
     // H_wheel_1 + H_wheel_2
     let h_wheel_1_plus_h_wheel_2 = H_wheel_1 + H_wheel_2;
     // h_wheel_1_plus_h_wheel_2 - H_wheel_3
     let r1_of_place_3 = h_wheel_1_plus_h_wheel_2 - H_wheel_3;
-    let r1_of_place_3_doubled = S::int(2) * r1_of_place_3;
+    // e1' + e2'
+    let e1_dot_plus_e2_dot = e1_dot + e2_dot;
     // e0' + e3'
     let e0_dot_plus_e3_dot = e0_dot + e3_dot;
     // e0' - e3'
     let e0_dot_minus_e3_dot = e0_dot - e3_dot;
-    // e1' + e2'
-    let e1_dot_plus_e2_dot = e1_dot + e2_dot;
-    // 2*r1_of_place + t_times_3
-    let r1_of_place_4 = r1_of_place.mul_add(S::int(2), t_times_3);
-    // H_wheel_3 + 2*h_wheel_1_plus_h_wheel_2
-    let r1_of_place_5 = h_wheel_1_plus_h_wheel_2.mul_add(S::int(2), H_wheel_3);
-    let r1_of_place_5_doubled = S::int(2) * r1_of_place_5;
+    // H_wheel_1 - H_wheel_2
+    let r1_of_place_4 = H_wheel_1 - H_wheel_2;
+    let w_s_2_of_motion_times_18 = S::int(18) * w_S_2_of_motion;
+    let w_s_1_of_motion_times_18 = S::int(18) * w_S_1_of_motion;
     // 1/(3*A + 2*K)
     let r1_of_a_k = S::int(1) / K.mul_add(S::int(2), S::int(3) * A);
     let k_r1_of_a_k = K * r1_of_a_k;
-    let w_s_2_of_motion_times_36 = S::int(36) * w_S_2_of_motion;
-    let w_s_1_of_motion_times_36 = S::int(36) * w_S_1_of_motion;
-    // H_wheel_1 - H_wheel_2
-    let r1_of_place_6 = H_wheel_1 - H_wheel_2;
+    // 3*T + 4*H_wheel_3_2
+    let r1_of_place_5 = H_wheel_3_2.mul_add(S::int(4), S::int(3) * T);
+    let r1_of_place_6 = r1_of_place_5 * w_S_in_axle_base_1_of_;
+    // H_wheel_3 + 2*h_wheel_1_plus_h_wheel_2
+    let r1_of_place_7 = h_wheel_1_plus_h_wheel_2.mul_add(S::int(2), H_wheel_3);
+    let r1_of_motion = w_S_3_of_motion * r1_of_place_3;
+    // w_S_1_of_e0_e1_e2_e3*(r1_of_place - 2*H_wheel_3_2)
+    let r1_of_place_8 = w_S_1_of_e0_e1_e2_e3 * (-H_wheel_3_2).mul_add(S::int(2), r1_of_place);
+    let w_s_3_of_motion_times_3 = S::int(3) * w_S_3_of_motion;
     // H_wheel_1_2 - H_wheel_2_2
-    let r1_of_place_7 = H_wheel_1_2 - H_wheel_2_2;
-    // 6*H_bus_1_2 - r1_of_place_7
-    let r1_of_place_8 = H_bus_1_2.mul_add(S::int(6), -r1_of_place_7);
-    // 6*H_bus_2 + r1_of_place_6
-    let r1_of_place_9 = H_bus_2.mul_add(S::int(6), r1_of_place_6);
-    let h_bus_3_times_6 = S::int(6) * H_bus_3;
-    // r1_of_place_6*(e3*e1_dot_minus_e2_dot + e2*e0_dot_plus_e3_dot + e1*e0_dot_minus_e3_dot -
-    //   e0*e1_dot_plus_e2_dot) + k_r1_of_a_k*(e2*(e2*r1_of_place_8 + e1'*r1_of_place_9 +
-    //   e0'*h_bus_3_times_6) + e3*(e3*r1_of_place_8 - e0'*r1_of_place_9 + e1'*h_bus_3_times_6) +
-    //   e0*(e0*r1_of_place_8 + e3'*r1_of_place_9 - e2'*h_bus_3_times_6) + e1*(e1*r1_of_place_8 -
-    //   e2'*r1_of_place_9 - e3'*h_bus_3_times_6))
-    let r1_of_motion = r1_of_place_6
-        * (e2.mul_add(e0_dot_plus_e3_dot, e3 * e1_dot_minus_e2_dot)
-            + e1 * e0_dot_minus_e3_dot - e0 * e1_dot_plus_e2_dot)
-        + k_r1_of_a_k
-            * (e2
-                * (e1_dot.mul_add(r1_of_place_9, e2 * r1_of_place_8) + e0_dot * h_bus_3_times_6)
-                + e3
-                    * ((-e0_dot).mul_add(r1_of_place_9, e3 * r1_of_place_8)
-                        + e1_dot * h_bus_3_times_6)
-                + e0
-                    * (e3_dot.mul_add(r1_of_place_9, e0 * r1_of_place_8) - e2_dot * h_bus_3_times_6)
-                + e1
-                    * ((-e2_dot).mul_add(r1_of_place_9, e1 * r1_of_place_8)
-                        - e3_dot * h_bus_3_times_6));
-    // r1 = (36*H_bus_1*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 36*H_bus_2*(e1*e0' - e0*e1' - e3*e2' +
-    //   e2*e3') + 6*H_wheel_1*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') + e1*(e0' - e3')) +
-    //   6*H_wheel_2*(e0*(e1' + e2') - e3*(e1' - e2') - e2*(e0' + e3') - e1*(e0' - e3')) + 36*H_bus_3_2*(e0^2
-    //   + e1^2 + e2^2 + e3^2) + 6*K*(e2*(6*e0'*H_bus_3 + e1'*(6*H_bus_2 + H_wheel_1 - H_wheel_2) +
-    //   e2*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)) - e0*(6*e2'*H_bus_3 + e3'*(H_wheel_2 - 6*H_bus_2 -
-    //   H_wheel_1) + e0*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) - e1*(6*e3'*H_bus_3 + e2'*(6*H_bus_2 +
-    //   H_wheel_1 - H_wheel_2) + e1*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2)) + e3*(6*e1'*H_bus_3 +
-    //   e0'*(H_wheel_2 - 6*H_bus_2 - H_wheel_1) + e3*(6*H_bus_1_2 - H_wheel_1_2 + H_wheel_2_2)))/(3*A + 2*K)
-    //   + sqrt(3)*(e3*(2*e1'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3)
-    //   + e3*(4*H_wheel_1_2 - 3*T + 4*H_wheel_2_2)) - K*(e0*(2*e2'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
-    //   2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) +
-    //   e1*(2*e3'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*e2'*(H_wheel_3 - H_wheel_1 - H_wheel_2) +
-    //   e1*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)) + e2*(e2*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) -
-    //   2*e0'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) - 2*e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2)) +
-    //   e3*(e3*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2) - 2*e1'*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) -
-    //   2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3)))/(3*A + 2*K) - e0*(2*e1'*(H_wheel_3 - H_wheel_1 -
-    //   H_wheel_2) + 2*e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e0*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2)) -
-    //   e1*(2*e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e1*(3*T
-    //   - 4*H_wheel_1_2 - 4*H_wheel_2_2)) - e2*(2*e0'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + 2*e3'*(H_wheel_1
-    //   + H_wheel_2 - H_wheel_3) + e2*(3*T - 4*H_wheel_1_2 - 4*H_wheel_2_2))))/(9*(e0^2 + e1^2 + e2^2 +
-    //   e3^2))
-    let r1 = S::ratio(1, 9) * w_s_1_of_e0_e1_e2_e3_inv
-        * (-w_S_in_axle_base_1_of_
-            * (e0
-                * (-e1_dot_minus_e2_dot)
-                    .mul_add(r1_of_place_3_doubled, e0 * r1_of_place_2)
-                + e1
-                    * r1_of_place_3_doubled
-                        .mul_add(e0_dot_plus_e3_dot, e1 * r1_of_place_2)
-                + e2
-                    * (-r1_of_place_3_doubled)
-                        .mul_add(e0_dot_minus_e3_dot, e2 * r1_of_place_2)
-                + e3
-                    * (-r1_of_place_3_doubled)
-                        .mul_add(e1_dot_plus_e2_dot, e3 * r1_of_place_2)
-                + k_r1_of_a_k
-                    * (e0
-                        * (e0.mul_add(r1_of_place_4, e3_dot * r1_of_place_3_doubled)
-                            + e2_dot * r1_of_place_5_doubled)
-                        + e1
-                            * ((-e2_dot)
-                                .mul_add(r1_of_place_3_doubled, e1 * r1_of_place_4)
-                                + e3_dot * r1_of_place_5_doubled)
-                        + e2
-                            * (e2.mul_add(r1_of_place_4, e1_dot * r1_of_place_3_doubled)
-                                - e0_dot * r1_of_place_5_doubled)
-                        + e3
-                            * ((-e0_dot)
-                                .mul_add(r1_of_place_3_doubled, e3 * r1_of_place_4)
-                                - e1_dot * r1_of_place_5_doubled)))
-            + S::int(36) * H_bus_3_2 * w_S_1_of_e0_e1_e2_e3
-            + H_bus_1 * w_s_2_of_motion_times_36 - H_bus_2 * w_s_1_of_motion_times_36
-            + S::int(6) * r1_of_motion);
-    let w3_dot_of_place = w_S_1_of_e0_e1_e2_e3 * r1_of_place_4;
-    let w3_dot_of_motion = w_S_3_of_motion * r1_of_place_3_doubled;
-    let w3_dot_of_e0_e1_e2_e3 = S::int(6) * w_S_1_of_e0_e1_e2_e3;
-    let w_s_3_of_motion_times_6 = S::int(6) * w_S_3_of_motion;
-    // H_bus_3*w_s_2_of_motion_times_36 + sqrt(3)*(w_S_2_of_motion*r1_of_place_5_doubled + w3_dot_of_place
-    //   + w3_dot_of_motion) - r1_of_place_8*w3_dot_of_e0_e1_e2_e3 - r1_of_place_9*w_s_3_of_motion_times_6
-    let w3_dot_of_motion_2 = w_S_in_axle_base_1_of_
-        * (w_S_2_of_motion.mul_add(r1_of_place_5_doubled, w3_dot_of_place)
-            + w3_dot_of_motion) + H_bus_3 * w_s_2_of_motion_times_36
-        - r1_of_place_8 * w3_dot_of_e0_e1_e2_e3 - r1_of_place_9 * w_s_3_of_motion_times_6;
-    // w_s_1_of_e0_e1_e2_e3_inv*(sqrt(3)*(w3_dot_of_place - w_S_1_of_motion*r1_of_place_5_doubled -
-    //   w3_dot_of_motion) - H_bus_3*w_s_1_of_motion_times_36 - w3_dot_of_e0_e1_e2_e3*(6*H_bus_2_2 +
-    //   r1_of_place_7) + w_s_3_of_motion_times_6*(6*H_bus_1 - r1_of_place_6) +
-    //   k_r1_of_a_k*w3_dot_of_motion_2)
-    let w3_dot_of_motion_3 = w_s_1_of_e0_e1_e2_e3_inv
+    let r1_of_place_9 = H_wheel_1_2 - H_wheel_2_2;
+    let r1_of_e0_e1_e2_e3 = S::int(3) * w_S_1_of_e0_e1_e2_e3;
+    // H_bus_3*w_s_2_of_motion_times_18 + sqrt(3)*(w_S_2_of_motion*r1_of_place_7 + r1_of_motion +
+    //   r1_of_place_8) - w_s_3_of_motion_times_3*(6*H_bus_2 + r1_of_place_4) +
+    //   r1_of_e0_e1_e2_e3*(r1_of_place_9 - 6*H_bus_1_2)
+    let r1_of_motion_2 = w_S_in_axle_base_1_of_
+        * (w_S_2_of_motion.mul_add(r1_of_place_7, r1_of_motion) + r1_of_place_8)
+        + H_bus_3 * w_s_2_of_motion_times_18
+        - w_s_3_of_motion_times_3 * H_bus_2.mul_add(S::int(6), r1_of_place_4)
+        + r1_of_e0_e1_e2_e3 * (-H_bus_1_2).mul_add(S::int(6), r1_of_place_9);
+    let r1_of_e0_e1_e2_e3_2 = S::int(2) * w_s_1_of_e0_e1_e2_e3_inv;
+    // r1_of_e0_e1_e2_e3_2*(H_bus_3*w_s_1_of_motion_times_18 + sqrt(3)*(w_S_1_of_motion*r1_of_place_7 +
+    //   r1_of_motion - r1_of_place_8) + w_s_3_of_motion_times_3*(r1_of_place_4 - 6*H_bus_1) +
+    //   r1_of_e0_e1_e2_e3*(6*H_bus_2_2 + r1_of_place_9) - k_r1_of_a_k*r1_of_motion_2)
+    let r1_of_motion_3 = r1_of_e0_e1_e2_e3_2
         * (w_S_in_axle_base_1_of_
-            * ((-w_S_1_of_motion).mul_add(r1_of_place_5_doubled, w3_dot_of_place)
-                - w3_dot_of_motion) - H_bus_3 * w_s_1_of_motion_times_36
-            - w3_dot_of_e0_e1_e2_e3 * H_bus_2_2.mul_add(S::int(6), r1_of_place_7)
-            + w_s_3_of_motion_times_6 * H_bus_1.mul_add(S::int(6), -r1_of_place_6)
-            + k_r1_of_a_k * w3_dot_of_motion_2);
+            * (w_S_1_of_motion.mul_add(r1_of_place_7, r1_of_motion) - r1_of_place_8)
+            + H_bus_3 * w_s_1_of_motion_times_18
+            + w_s_3_of_motion_times_3 * (-H_bus_1).mul_add(S::int(6), r1_of_place_4)
+            + r1_of_e0_e1_e2_e3 * H_bus_2_2.mul_add(S::int(6), r1_of_place_9)
+            - k_r1_of_a_k * r1_of_motion_2);
+    // A + K
+    let a_plus_k = A + K;
+    let k_r1_of_a_k_a_plus_k = k_r1_of_a_k * a_plus_k;
     // K*(k_r1_of_a_k - 2)
-    let w3_dot_of_a_k = K * (k_r1_of_a_k - S::int(2));
-    // 1/(3*B - w3_dot_of_a_k)
-    let w3_dot_of_a_b_k = S::int(1) / B.mul_add(S::int(3), -w3_dot_of_a_k);
-    // k_r1_of_a_k*(A + K)
-    let w3_dot_of_a_k_2 = k_r1_of_a_k * (A + K);
-    let w3_dot_of_a_b_k_2 = w3_dot_of_a_b_k * w3_dot_of_a_k_2;
-    let w3_dot_of_a_k_2_times_9 = S::int(9) * w3_dot_of_a_k_2;
-    // w3' = (3*r1 - K*(A + K)*(36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' - e3*e0' -
-    //   e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_2_2 -
-    //   6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1'
-    //   + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2
-    //   - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
-    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
-    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A + 2*K) +
-    //   sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e3*e0' -
-    //   e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T +
-    //   2*H_wheel_1_2 + 2*H_wheel_2_2)))/((3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K)))*(e0^2 + e1^2 + e2^2 +
-    //   e3^2)))/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A +
+    let r1_of_a_k_2 = K * (k_r1_of_a_k - S::int(2));
+    // 1/(3*B - r1_of_a_k_2)
+    let r1_of_a_b_k = S::int(1) / B.mul_add(S::int(3), -r1_of_a_k_2);
+    let r1_of_a_b_k_by_3 = S::ratio(1, 3) * r1_of_a_b_k;
+    // r1_of_place_6 + r1_of_motion_2*r1_of_e0_e1_e2_e3_2
+    let r1_of_motion_4 = r1_of_motion_2.mul_add(r1_of_e0_e1_e2_e3_2, r1_of_place_6);
+    // r1_of_place_6 + k_r1_of_a_k*r1_of_motion_4
+    let r1_of_motion_5 = k_r1_of_a_k.mul_add(r1_of_motion_4, r1_of_place_6);
+    // r1 = 2*(18*H_bus_3_2*(e0^2 + e1^2 + e2^2 + e3^2) - 18*H_bus_1*(e2*e0' - e0*e2' + e3*e1' - e1*e3') -
+    //   18*H_bus_2*(e0*e1' - e1*e0' + e3*e2' - e2*e3') - 3*H_wheel_1*(e0*(e1' + e2') - e3*(e1' - e2') -
+    //   e2*(e0' + e3') - e1*(e0' - e3')) - 3*H_wheel_2*(e3*(e1' - e2') - e0*(e1' + e2') + e2*(e0' + e3') +
+    //   e1*(e0' - e3')) - sqrt(3)*(e0*(e1'*(H_wheel_3 - H_wheel_1 - H_wheel_2) + e2'*(H_wheel_1 + H_wheel_2
+    //   - H_wheel_3) - 2*e0*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) - e3*(e1'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + e2'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + 2*e3*(H_wheel_1_2 + H_wheel_2_2 +
+    //   H_wheel_3_2)) + e1*(e0'*(H_wheel_1 + H_wheel_2 - H_wheel_3) + e3'*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) - 2*e1*(H_wheel_1_2 + H_wheel_2_2 + H_wheel_3_2)) + e2*(e0'*(H_wheel_3 - H_wheel_1 -
+    //   H_wheel_2) + e3'*(H_wheel_1 + H_wheel_2 - H_wheel_3) - 2*e2*(H_wheel_1_2 + H_wheel_2_2 +
+    //   H_wheel_3_2))))/(9*(e0^2 + e1^2 + e2^2 + e3^2)) - sqrt(3)*(3*T + 4*H_wheel_3_2)/9 - K*(sqrt(3)*(3*T
+    //   + 4*H_wheel_3_2) + 2*(18*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' -
+    //   e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 3*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 -
+    //   6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + (e0^2 +
+    //   e1^2 + e2^2 + e3^2)*(H_wheel_1_2 + H_wheel_2_2 - 2*H_wheel_3_2)))/(e0^2 + e1^2 + e2^2 +
+    //   e3^2))/(9*(3*A + 2*K)) + K*(A + K)*(2*(18*H_bus_3*(e0*e1' - e1*e0' + e3*e2' - e2*e3') + 3*(e3*e0' -
+    //   e2*e1' + e1*e2' - e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 3*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(6*H_bus_2_2 + H_wheel_1_2 - H_wheel_2_2) - K*(18*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')
+    //   + 3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 3*(e0^2 + e1^2 + e2^2
+    //   + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2)))/(3*A + 2*K) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + (e0*e1' - e1*e0' + e3*e2' - e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + (e0^2 +
+    //   e1^2 + e2^2 + e3^2)*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2) -
+    //   sqrt(3)*(1 + K/(3*A + 2*K))*(3*T + 4*H_wheel_3_2))/(3*(3*A + 2*K)*(3*B + K*(2 - K/(3*A + 2*K))))
+    let r1 = S::ratio(2, 9) * w_s_1_of_e0_e1_e2_e3_inv
+        * (w_S_in_axle_base_1_of_
+            * (e0 * e1_dot_minus_e2_dot.mul_add(r1_of_place_3, e0 * r1_of_place_2_doubled)
+                + e3
+                    * r1_of_place_3
+                        .mul_add(e1_dot_plus_e2_dot, e3 * r1_of_place_2_doubled)
+                + e1
+                    * (-r1_of_place_3)
+                        .mul_add(e0_dot_plus_e3_dot, e1 * r1_of_place_2_doubled)
+                + e2
+                    * r1_of_place_3
+                        .mul_add(e0_dot_minus_e3_dot, e2 * r1_of_place_2_doubled))
+            + S::int(18) * H_bus_3_2 * w_S_1_of_e0_e1_e2_e3
+            + S::int(3) * r1_of_place_4
+                * ((-e0).mul_add(e1_dot_plus_e2_dot, e3 * e1_dot_minus_e2_dot)
+                    + e2 * e0_dot_plus_e3_dot + e1 * e0_dot_minus_e3_dot)
+            + H_bus_1 * w_s_2_of_motion_times_18 - H_bus_2 * w_s_1_of_motion_times_18)
+        + k_r1_of_a_k_a_plus_k * r1_of_a_b_k_by_3
+            * (r1_of_motion_3 - r1_of_place_6 * (S::int(1) + k_r1_of_a_k))
+        - S::ratio(1, 9) * r1_of_motion_5;
+    // w3' = 3*r1/(3*C + K*(2 - K/(3*A + 2*K)) - 9*K^2*(A + K)^2/((3*A + 2*K)^2*(3*B + K*(2 - K/(3*A +
     //   2*K)))))
-    let w3_dot = (-w3_dot_of_motion_3).mul_add(w3_dot_of_a_b_k_2, S::int(3) * r1)
-        / (C.mul_add(S::int(3), -w3_dot_of_a_k) - w3_dot_of_a_b_k_2 * w3_dot_of_a_k_2_times_9);
-    // w2' = (9*K*w3'*(A + K)/(3*A + 2*K) - (36*H_bus_3*(e1*e0' - e0*e1' - e3*e2' + e2*e3') + 6*(e2*e1' -
-    //   e3*e0' - e1*e2' + e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 +
-    //   e3^2)*(H_wheel_2_2 - 6*H_bus_2_2 - H_wheel_1_2) + K*(36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3')
-    //   + 6*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2
-    //   + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' +
-    //   e1*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 +
-    //   H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(3*A +
-    //   2*K) + sqrt(3)*(2*(e1*e0' - e0*e1' - e3*e2' + e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) +
-    //   2*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0^2 + e1^2 + e2^2 +
-    //   e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*B + K*(2 - K/(3*A +
-    //   2*K))))
-    let w2_dot = S::ratio(1, 3) * w3_dot_of_a_b_k
-        * w3_dot.mul_add(w3_dot_of_a_k_2_times_9, -w3_dot_of_motion_3);
+    let w3_dot = S::int(3) * r1
+        / (C.mul_add(S::int(3), -r1_of_a_k_2)
+            - S::int(9) * k_r1_of_a_k_a_plus_k * k_r1_of_a_k_a_plus_k * r1_of_a_b_k);
+    // w2' = -(sqrt(3)*(3*T + 4*H_wheel_3_2) + 2*(K*(18*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') +
+    //   3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 3*(e0^2 + e1^2 + e2^2 +
+    //   e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2)))/(3*A + 2*K) - 18*H_bus_3*(e0*e1' - e1*e0' + e3*e2' - e2*e3') - 3*(e3*e0' - e2*e1' +
+    //   e1*e2' - e0*e3')*(6*H_bus_1 - H_wheel_1 + H_wheel_2) - 3*(e0^2 + e1^2 + e2^2 + e3^2)*(6*H_bus_2_2 +
+    //   H_wheel_1_2 - H_wheel_2_2) - sqrt(3)*((e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 -
+    //   H_wheel_3) + (e0*e1' - e1*e0' + e3*e2' - e2*e3')*(2*H_wheel_1 + 2*H_wheel_2 + H_wheel_3) + (e0^2 +
+    //   e1^2 + e2^2 + e3^2)*(2*H_wheel_3_2 - H_wheel_1_2 - H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 + e3^2) +
+    //   K*(sqrt(3)*(3*T + 4*H_wheel_3_2) - 9*w3'*(A + K))/(3*A + 2*K))/(3*(3*B + K*(2 - K/(3*A + 2*K))))
+    let w2_dot = r1_of_a_b_k_by_3
+        * (r1_of_motion_3 - r1_of_place_6
+            - k_r1_of_a_k * (-(w3_dot * a_plus_k)).mul_add(S::int(9), r1_of_place_6));
     // w2' + w3'
     let w2_dot_plus_w3_dot = w2_dot + w3_dot;
-    // w1' = (3*K*(w2' + w3') - (36*H_bus_3*(e0*e2' - e2*e0' - e3*e1' + e1*e3') + 6*(e3*e0' - e2*e1' +
-    //   e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 6*(e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 -
-    //   6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*(2*(e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
-    //   2*H_wheel_2 + H_wheel_3) + 2*(e2*e1' - e3*e0' - e1*e2' + e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3)
-    //   + (e0^2 + e1^2 + e2^2 + e3^2)*(3*T + 2*H_wheel_1_2 + 2*H_wheel_2_2)))/(e0^2 + e1^2 + e2^2 +
-    //   e3^2))/(3*(3*A + 2*K))
+    // w1' = (3*K*(w2' + w3') - sqrt(3)*(3*T + 4*H_wheel_3_2) - 2*(18*H_bus_3*(e0*e2' - e2*e0' - e3*e1' +
+    //   e1*e3') + 3*(e3*e0' - e2*e1' + e1*e2' - e0*e3')*(6*H_bus_2 + H_wheel_1 - H_wheel_2) + 3*(e0^2 + e1^2
+    //   + e2^2 + e3^2)*(H_wheel_1_2 - 6*H_bus_1_2 - H_wheel_2_2) + sqrt(3)*((e2*e1' - e3*e0' - e1*e2' +
+    //   e0*e3')*(H_wheel_1 + H_wheel_2 - H_wheel_3) + (e0*e2' - e2*e0' - e3*e1' + e1*e3')*(2*H_wheel_1 +
+    //   2*H_wheel_2 + H_wheel_3) + (e0^2 + e1^2 + e2^2 + e3^2)*(H_wheel_1_2 + H_wheel_2_2 -
+    //   2*H_wheel_3_2)))/(e0^2 + e1^2 + e2^2 + e3^2))/(3*(3*A + 2*K))
     let w1_dot = S::ratio(1, 3) * r1_of_a_k
-        * (-w_s_1_of_e0_e1_e2_e3_inv)
-            .mul_add(w3_dot_of_motion_2, S::int(3) * K * w2_dot_plus_w3_dot);
-    // sqrt(3)*(w1' + w2_dot_plus_w3_dot) - (4*H_wheel_3_2 + t_times_3)/J
+        * (K * w2_dot_plus_w3_dot).mul_add(S::int(3), -r1_of_motion_4);
+    // sqrt(3)*(w1' + w2_dot_plus_w3_dot) - r1_of_place_5/J
     let s_dot_of_motion = w_S_in_axle_base_1_of_ * (w1_dot + w2_dot_plus_w3_dot)
-        - H_wheel_3_2.mul_add(S::int(4), t_times_3) / J;
+        - r1_of_place_5 / J;
     // s' = (3*T + 4*H_wheel_3_2)/(3*J) - sqrt(3)*(w1' + w2' + w3')/3
     let s_dot = -S::ratio(1, 3) * s_dot_of_motion;
     let w1_dot_halved = S::ratio(1, 2) * w1_dot;

@@ -7,7 +7,7 @@ use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system M(q) u' = f(q, u); symmetric, rows u1, u2, u3.
 ///
-/// 838 operations, 6 sines and cosines, 2 other functions.
+/// 839 operations, 6 sines and cosines, 2 other functions.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -464,9 +464,9 @@ pub fn mass_matrix<S: Scalar>(
     let m12_of_place = p_w_Y_in_L_2_2.mul_add(sin_phi, p_w_Y_in_L_3_2 * cos_phi);
     let m13_of_place = p_w_Y_in_L_2_3.mul_add(sin_phi, p_w_Y_in_L_3_3 * cos_phi);
     // Entries that are not zero; upper triangle.
-    let m11 = ratio_thF_u1.mul_add(H_front_wheel_2_2, IRxx) + rR * p_v_RC_2
+    let m11 = IRxx + ratio_thF_u1 * H_front_wheel_2_2 + rR * p_v_RC_2
         + ratio_theta_u1 * p_w_B_2 + p_w_L_in_B_3 * sin_theta + p_w_L_in_B_1 * cos_theta
-        + w_Y_in_L_3_2 * p_w_Y_in_L_3 + w_Y_in_L_2_2 * p_w_Y_in_L_2;
+        + ratio_psi_u1 * p_w_Y_in_L_2.mul_add(sin_phi, p_w_Y_in_L_3 * cos_phi);
     let m12 = (-rR).mul_add(p_v_RC_2_2, ratio_thF_u1 * H_front_wheel_2_3)
         + ratio_theta_u1 * p_w_B_2_2 + p_w_L_in_B_3_2 * sin_theta
         + p_w_L_in_B_1_2 * cos_theta + ratio_psi_u1 * m12_of_place;
@@ -484,7 +484,7 @@ pub fn mass_matrix<S: Scalar>(
 
 /// Right-hand side of the linear system; unknowns (u1', u2', u3').
 ///
-/// 1116 operations, 8 sines and cosines, 2 other functions.
+/// 1114 operations, 8 sines and cosines, 2 other functions.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 3] {
     let Parameters {
@@ -1076,8 +1076,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 3] {
     let turn_F_23 = alpha_F_1 - w_F_23;
     let turn_F_31 = alpha_F_2 + w_F_13;
     let turn_F_33 = w_F_11 + w_F_22;
-    let a_N_in_Y_2_of_rr_psi = rR * cos_psi.mul_add(cos_psi, sin_psi * sin_psi);
-    let a_N_in_Y_2 = u3 * w_Y_in_L_2_of_u1_u2_u3 * a_N_in_Y_2_of_rr_psi;
+    let a_N_in_Y_2 = rR * u3 * w_Y_in_L_2_of_u1_u2_u3 * cos_psi.mul_add(cos_psi, sin_psi * sin_psi);
     let a_Y_in_L_2 = (-g).mul_add(sin_phi, a_N_in_Y_2 * cos_phi);
     let a_Y_in_L_3 = a_N_in_Y_2.mul_add(sin_phi, g * cos_phi);
     let a_RC_1 = rR * turn_L_13;
@@ -1219,19 +1218,19 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S; 3] {
     let F_w_Y_in_L_2_of_place = rR.mul_add(F_v_RC_1, F_w_RW_2);
     let F_w_Y_in_L_2 = F_w_Y_in_L_2_of_place.mul_add(S::int(2), F_w_B_2);
     let f_w_fw_2_halved = S::ratio(1, 2) * F_w_FW_2;
-    let f1_of_place = (-F_w_Y_in_L_2).mul_add(sin_phi, F_w_Y_in_L_3 * cos_phi);
+    let f1_of_place = (-F_w_Y_in_L_3).mul_add(cos_phi, F_w_Y_in_L_2 * sin_phi);
     let f1_of_place_halved = S::ratio(1, 2) * f1_of_place;
     let f_w_b_2_halved = S::ratio(1, 2) * F_w_B_2;
     let f1_of_place_2 = F_w_L_in_B_1.mul_add(cos_theta, F_w_L_in_B_3 * sin_theta);
     // Values.
     let f1 = rR * F_v_RC_2 - w_Y_in_L_3 * H_rear_wheel_2 - w_Y_in_L_2 * H_rear_wheel_3
         + IRxx * w_Y_in_L_3.mul_add(w_y_in_l_2_plus_w_rw_2, -alpha_RW_in_L_1)
-        - ratio_thF_u1 * f_w_fw_2_halved + ratio_psi_u1 * f1_of_place_halved
+        - ratio_thF_u1 * f_w_fw_2_halved - ratio_psi_u1 * f1_of_place_halved
         + ratio_theta_u1 * f_w_b_2_halved - S::ratio(1, 2) * f1_of_place_2;
     let f2 = (-ratio_thF_u2).mul_add(f_w_fw_2_halved, F_w_F_3)
-        + ratio_psi_u2 * f1_of_place_halved + ratio_theta_u2 * f_w_b_2_halved;
-    let f3 = F_v_RC_1.mul_add(a_N_in_Y_2_of_rr_psi, F_w_RW_2)
-        - ratio_thF_u3 * f_w_fw_2_halved + ratio_psi_u3 * f1_of_place_halved;
+        - ratio_psi_u2 * f1_of_place_halved + ratio_theta_u2 * f_w_b_2_halved;
+    let f3 = (-ratio_thF_u3).mul_add(f_w_fw_2_halved, F_w_Y_in_L_2_of_place)
+        - ratio_psi_u3 * f1_of_place_halved;
     [f1, f2, f3]
 }
 
@@ -2241,23 +2240,23 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> [S
         + p_w_L_in_B_1_3 * cos_theta + ratio_psi_u1 * s4_of_place + l2 * s4_of_place_2;
     let f_w_fw_2_halved = S::ratio(1, 2) * F_w_FW_2;
     let r5_of_place = (-F_w_Y_in_L_3).mul_add(cos_phi, F_w_Y_in_L_2 * sin_phi);
+    let r5_of_place_halved = S::ratio(1, 2) * r5_of_place;
     let r5_of_place_2 = (-F_w_F_3).mul_add(S::int(2), ratio_thF_u2 * F_w_FW_2);
     let r5_of_place_3 = (-ratio_theta_u2).mul_add(F_w_B_2, ratio_psi_u2 * r5_of_place);
     let r5_of_place_4 = r5_of_place_2 + r5_of_place_3;
     let minus_r5_of_place_4 = -r5_of_place_4;
     let r5_of_place_5 = S::ratio(1, 2) * minus_r5_of_place_4;
-    let r5_of_place_halved = S::ratio(1, 2) * r5_of_place;
     let r5_of_place_6 = (-F_w_L_in_B_3).mul_add(sin_theta, ratio_theta_u1 * F_w_B_2);
     let r5_of_place_7 = F_w_L_in_B_1.mul_add(cos_theta, -r5_of_place_6);
     let r5 = rR * F_v_RC_2 - w_Y_in_L_3 * H_rear_wheel_2 - w_Y_in_L_2 * H_rear_wheel_3
         + IRxx * w_Y_in_L_3.mul_add(w_y_in_l_2_plus_w_rw_2, -alpha_RW_in_L_1)
-        - ratio_thF_u1 * f_w_fw_2_halved - l2 * r5_of_place_5
-        - ratio_psi_u1 * r5_of_place_halved - S::ratio(1, 2) * r5_of_place_7;
+        - ratio_thF_u1 * f_w_fw_2_halved - ratio_psi_u1 * r5_of_place_halved
+        - l2 * r5_of_place_5 - S::ratio(1, 2) * r5_of_place_7;
     let l6 = -d1_inv * s4_of_place_2;
     let s7 = ratio_thF_u3.mul_add(H_front_wheel_2_4, -p_w_Y_in_L_2_3_of_place)
         + ratio_psi_u3 * s4_of_place + l6 * s4_of_place_2;
     let r8 = (-ratio_thF_u3).mul_add(f_w_fw_2_halved, F_w_Y_in_L_2_of_place)
-        - l6 * r5_of_place_5 - ratio_psi_u3 * r5_of_place_halved;
+        - ratio_psi_u3 * r5_of_place_halved - l6 * r5_of_place_5;
     let s3_inv = S::int(1) / s3;
     let l9 = s4 * s3_inv;
     let s10 = (-s4).mul_add(l9, s7);
@@ -3456,7 +3455,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8]) -> S {
 
 /// Matrix of the linear system M(q) u' = f(q, u) row by row, and its right-hand side, which share terms.
 ///
-/// 1708 operations, 8 sines and cosines, 2 other functions.
+/// 1707 operations, 8 sines and cosines, 2 other functions.
 #[must_use]
 pub fn linear_system<S: Scalar>(
     p: &Parameters<S>,
@@ -4462,15 +4461,15 @@ pub fn linear_system<S: Scalar>(
     let m23_of_place_2 = ratio_psi_u2.mul_add(m13_of_place, -p_w_F_3_3);
     let m23_of_place_3 = m23_of_place - m23_of_place_2;
     let f_w_fw_2_halved = S::ratio(1, 2) * F_w_FW_2;
-    let f1_of_place = (-F_w_Y_in_L_2).mul_add(sin_phi, F_w_Y_in_L_3 * cos_phi);
+    let f1_of_place = (-F_w_Y_in_L_3).mul_add(cos_phi, F_w_Y_in_L_2 * sin_phi);
     let f1_of_place_halved = S::ratio(1, 2) * f1_of_place;
     let f_w_b_2_halved = S::ratio(1, 2) * F_w_B_2;
     let f1_of_place_2 = F_w_L_in_B_1.mul_add(cos_theta, F_w_L_in_B_3 * sin_theta);
     let minus_m23_of_place_3 = -m23_of_place_3;
     // Values.
-    let m11 = ratio_thF_u1.mul_add(H_front_wheel_2_2, IRxx) + rR * p_v_RC_2
+    let m11 = IRxx + ratio_thF_u1 * H_front_wheel_2_2 + rR * p_v_RC_2
         + ratio_theta_u1 * p_w_B_2 + p_w_L_in_B_3 * sin_theta + p_w_L_in_B_1 * cos_theta
-        + w_Y_in_L_3_2 * p_w_Y_in_L_3 + w_Y_in_L_2_2 * p_w_Y_in_L_2;
+        + ratio_psi_u1 * p_w_Y_in_L_2.mul_add(sin_phi, p_w_Y_in_L_3 * cos_phi);
     let m12 = m12_of_place_6;
     let m13 = m13_of_place_6;
     let m21 = m12_of_place_6;
@@ -4483,12 +4482,12 @@ pub fn linear_system<S: Scalar>(
         + ratio_psi_u3 * m13_of_place;
     let f1 = rR * F_v_RC_2 - w_Y_in_L_3 * H_rear_wheel_2 - w_Y_in_L_2 * H_rear_wheel_3
         + IRxx * w_Y_in_L_3.mul_add(w_y_in_l_2_plus_w_rw_2, -alpha_RW_in_L_1)
-        - ratio_thF_u1 * f_w_fw_2_halved + ratio_psi_u1 * f1_of_place_halved
+        - ratio_thF_u1 * f_w_fw_2_halved - ratio_psi_u1 * f1_of_place_halved
         + ratio_theta_u1 * f_w_b_2_halved - S::ratio(1, 2) * f1_of_place_2;
     let f2 = (-ratio_thF_u2).mul_add(f_w_fw_2_halved, F_w_F_3)
-        + ratio_psi_u2 * f1_of_place_halved + ratio_theta_u2 * f_w_b_2_halved;
-    let f3 = F_v_RC_1.mul_add(v_N_in_Y_1, F_w_RW_2) - ratio_thF_u3 * f_w_fw_2_halved
-        + ratio_psi_u3 * f1_of_place_halved;
+        - ratio_psi_u2 * f1_of_place_halved + ratio_theta_u2 * f_w_b_2_halved;
+    let f3 = (-ratio_thF_u3).mul_add(f_w_fw_2_halved, F_w_Y_in_L_2_of_place)
+        - ratio_psi_u3 * f1_of_place_halved;
     ([m11, m12, m13, m21, m22, m23, m31, m32, m33], [f1, f2, f3])
 }
 
