@@ -251,7 +251,7 @@ pub enum Command {
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
-    /// Write the equations of a model as code in Rust, JavaScript, C, Python or MATLAB, or for CasADi
+    /// Write the equations of a model as code in Rust, JavaScript, C, Python or MATLAB, or for CasADi, or a URDF file
     Emit {
         /// A model file, or a folder with model.toml; in languages beside Rust and JavaScript also a scene file, whose
         /// outputs and events become functions
@@ -261,7 +261,7 @@ pub enum Command {
         out: PathBuf,
         /// rust: mod.rs, and one file for each formulation; js: one module for each formulation, kane.mjs, with
         /// dop853.mjs and run.mjs; c: a header and a source for each formulation, with tripos.h; python and casadi: one
-        /// module for each formulation; matlab: one file for each function
+        /// module for each formulation; matlab: one file for each function; urdf: a robot description
         #[arg(long, value_name = "LANGUAGE", default_value = "rust")]
         language: String,
         /// A formulation, such as kane; may be given more than once; if not given, the three standard ones, as far as

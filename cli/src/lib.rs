@@ -19,6 +19,7 @@ mod sketch;
 mod stability;
 mod sweep;
 mod terminal;
+mod urdf;
 mod view;
 
 use arguments::{Arguments, Command};

@@ -14,8 +14,10 @@ const SHARED_FILE_PREFIX: &str = "Goes with what is generated from `";
 /// Name of the publication file, which lies in the folder of its model.
 const PUBLICATION: &str = "publication.toml";
 
-/// Marks with which a comment line begins in the target languages: Rust, C and JavaScript, Python, MATLAB.
-const COMMENT_MARKS: [&str; 4] = ["//!", "//", "#", "%"];
+/// Marks with which a comment line begins in the target languages: Rust, C and JavaScript, Python, MATLAB, XML.
+const COMMENT_MARKS: [&str; 5] = ["//!", "//", "#", "%", "<!--"];
+/// Mark with which a comment of XML ends.
+const XML_COMMENT_END: &str = "-->";
 
 /// Source files of a generated module, and the command that generates it.
 pub(crate) struct Origin {
@@ -133,6 +135,7 @@ pub(crate) fn read_origin_source(text: &str, command: &str) -> Option<OriginSour
     let comment = |line: &'_ str| COMMENT_MARKS.iter().find_map(|mark| line.strip_prefix(mark)).map(str::to_owned);
     let origin = |line: String| {
         let line = line.trim_start();
+        let line = line.strip_suffix(XML_COMMENT_END).map_or(line, str::trim_end);
         let shared = line.strip_prefix(SHARED_FILE_PREFIX);
         let rest = line.strip_prefix(GENERATED_FILE_PREFIX).or(shared)?;
         let path = rest.strip_suffix(&advice)?.trim_end_matches(['`', '.', ' ']);

@@ -10,6 +10,7 @@ const ROUNDING: f64 = 1e-12;
 
 impl Inertia {
     /// Mass properties of a body in the axes in which the body has the pose `pose`.
+    #[must_use]
     pub fn moved(&self, pose: &Pose) -> Self {
         Self {
             mass: self.mass,
@@ -19,6 +20,7 @@ impl Inertia {
     }
 
     /// Mass properties of two bodies that are fixed to one another, both in the same axes.
+    #[must_use]
     pub fn joined(&self, other: &Self) -> Self {
         let mass = self.mass + other.mass;
         if mass <= 0.0 {
@@ -30,6 +32,7 @@ impl Inertia {
     }
 
     /// Reason why no body has this inertia; `None` if one can have it.
+    #[must_use]
     pub fn impossibility(&self) -> Option<String> {
         if self.mass < 0.0 {
             return Some(format!("the mass {} is negative", self.mass));

@@ -1,8 +1,9 @@
-//! Robot descriptions in URDF and MJCF, read into model files of Tripos.
+//! Robot descriptions: URDF and MJCF read into model files of Tripos, and trees of links written as URDF.
 //!
 //! [`import`] reads a description, checks it, joins bodies that are fixed to one another, and writes a model file:
 //! the text that a person would write, with joints, inertias, limits, loops, couplings, drives and shapes. Parts of
-//! the description without a meaning in a model of rigid bodies are listed.
+//! the description without a meaning in a model of rigid bodies are listed. [`urdf_text`] writes a tree of links as
+//! a URDF file.
 
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]
 
@@ -16,10 +17,13 @@ mod pose;
 mod robot;
 mod scene_text;
 mod urdf;
+mod urdf_text;
 mod xml;
 
-pub use robot::Omission;
+pub use pose::{Pose, axis_turn};
+pub use robot::{Inertia, Omission, Shape, Solid};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
+pub use urdf_text::{AxisJoint, Link, LinkJoint, LinkMotion, LinkTree, Mimic, NO_LIMIT, urdf_text};
 
 /// A model file made from a robot description.
 #[derive(Clone, Debug)]

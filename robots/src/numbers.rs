@@ -14,6 +14,13 @@ pub fn number_text(value: f64) -> String {
     if plain.len() <= short.len() + 4 { plain } else { short }
 }
 
+/// Number with as few digits as identify it, as plain decimals or with an exponent, whichever is shorter.
+pub fn exact_number_text(value: f64) -> String {
+    let value = if value == 0.0 { 0.0 } else { value };
+    let (plain, short) = (format!("{value}"), format!("{value:e}"));
+    if plain.len() <= short.len() + 4 { plain } else { short }
+}
+
 /// Numbers of a group; those that rounding alone leaves are exactly 0.
 pub fn without_rounding<const N: usize>(values: [f64; N], scale: f64) -> [f64; N] {
     let size = values.iter().fold(scale, |size, value| size.max(value.abs()));

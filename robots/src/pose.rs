@@ -19,28 +19,33 @@ impl Default for Pose {
 
 impl Pose {
     /// Creates a pose without a turn.
+    #[must_use]
     pub fn at(position: Vector3<f64>) -> Self {
         Self { position, ..Self::default() }
     }
 
     /// Pose in the outer frame of a frame that has the pose `inner` in this frame.
+    #[must_use]
     pub fn compose(&self, inner: &Self) -> Self {
         Self { position: self.transform(&inner.position), rotation: self.rotation * inner.rotation }
     }
 
     /// Pose of the outer frame in this frame.
+    #[must_use]
     pub fn inverse(&self) -> Self {
         let rotation = self.rotation.transpose();
         Self { position: -(rotation * self.position), rotation }
     }
 
     /// Position in the outer frame of a point given in this frame.
+    #[must_use]
     pub fn transform(&self, point: &Vector3<f64>) -> Vector3<f64> {
         self.position + self.rotation * point
     }
 }
 
 /// Rotation matrix of a turn by `angle` (rad) about one of the axes 0, 1 and 2, exact for multiples of a right angle.
+#[must_use]
 pub fn axis_turn(axis: usize, angle: f64) -> Matrix3<f64> {
     let (sin, cos) = exact_sin_cos(angle);
     let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -97,7 +102,10 @@ pub fn yaw_pitch_roll(rotation: &Matrix3<f64>) -> [f64; 3] {
         return [0.0, along.atan2(across), roll];
     }
     let yaw = rotation[(1, 0)].atan2(rotation[(0, 0)]);
-    let roll = rotation[(2, 1)].atan2(rotation[(2, 2)]);
+    // Near a pitch of ±π/2, the yaw is uncertain. The roll of the matrix turned back by this yaw makes up for it.
+    let (sine, cosine) = yaw.sin_cos();
+    let turned_back = |column: usize| cosine * rotation[(1, column)] - sine * rotation[(0, column)];
+    let roll = (-turned_back(2)).atan2(turned_back(1));
     [yaw, along.atan2(across), roll]
 }
 

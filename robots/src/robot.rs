@@ -113,7 +113,8 @@ pub struct Joint {
     pub axis: Vector3<f64>,
     /// Value of the coordinate at the reference configuration, rad or m.
     pub reference: f64,
-    /// Smallest and largest value of the coordinate, rad or m; `None` without a limit.
+    /// Smallest and largest value of the coordinate, rad or m, infinite without a limit on one side; `None` without a
+    /// limit.
     pub limits: Option<(f64, f64)>,
     /// Viscous damping, N m s or N s/m.
     pub damping: f64,

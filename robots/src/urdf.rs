@@ -348,7 +348,9 @@ fn read_joint(urdf: &UrdfJoint<'_, '_>, reading: &Reading) -> (Pose, Option<Join
             let message = format!("the limits {lower} and {upper} rad are more than sixteen turns");
             reading.add(place(limit), message, "angles of URDF are in radians, not in degrees");
         }
-        joint.limits = (lower < upper && most < NO_LIMIT).then_some((lower, upper));
+        let [lower, upper] =
+            [lower, upper].map(|bound: f64| if bound.abs() < NO_LIMIT { bound } else { f64::INFINITY.copysign(bound) });
+        joint.limits = (lower < upper && (lower.is_finite() || upper.is_finite())).then_some((lower, upper));
     }
     (pose, Some(joint))
 }

@@ -38,6 +38,7 @@ mod plots;
 mod random_scenes;
 mod regenerate;
 mod robots;
+mod robots_as_urdf;
 mod scene;
 mod shelf;
 mod sketch;

@@ -3,6 +3,7 @@
 use crate::files::scene_file::read_scene;
 use crate::files::workspace::model_file;
 use crate::terminal::failure::{Failure, Output, print_result, print_to_stderr, warn};
+use crate::urdf::{Description, describe_robot};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use tripos::equations_name::formulation_of_name;
@@ -12,6 +13,7 @@ use tripos_codegen::js::RUNNERS;
 use tripos_codegen::js::emit::{EXTENSION, emit_javascript_modules};
 use tripos_codegen::languages::c::C;
 use tripos_codegen::languages::casadi::CasADi;
+use tripos_codegen::languages::description::emit_description;
 use tripos_codegen::languages::matlab::Matlab;
 use tripos_codegen::languages::python::Python;
 use tripos_codegen::languages::{self, Dialect, Selection};
@@ -21,9 +23,10 @@ use tripos_derive::identify::BaseEquations;
 use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::scene::{Scene, is_scene};
 use tripos_derive::{Formulation, Model};
+use tripos_robots::urdf_text;
 
 /// Names of the languages in which equations can be written.
-const LANGUAGES: [&str; 6] = ["rust", "js", "c", "python", "matlab", "casadi"];
+const LANGUAGES: [&str; 7] = ["rust", "js", "c", "python", "matlab", "casadi", "urdf"];
 
 /// Arguments of `tripos emit`: the model, the language and the choice of equations and functions.
 pub struct EmitRequest {
@@ -73,6 +76,9 @@ pub fn emit(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
     if request.in_base_parameters {
         check_base_request(request, dialect.is_some(), &formulations)?;
     }
+    if language == "urdf" {
+        return emit_robot(request, output);
+    }
     let is_known = LANGUAGES.contains(&language.as_str());
     if dialect.is_none() && is_known && Source::read(&model_file(model)).is_ok_and(|source| is_scene(&source)) {
         let what = format!("the outputs and events of a scene are not written in `{language}`");
@@ -91,7 +97,24 @@ pub fn emit(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
     for (_, error) in &emission.left_out {
         print_to_stderr(&format!("not emitted: {error}"));
     }
-    let placed = write_emission(&emission, out).map_err(|error| match error {
+    let left_out: Vec<Value> =
+        emission.left_out.iter().map(|(f, why)| json!({ "formulation": f.name(), "why": why.to_string() })).collect();
+    place_emission(&emission, out, &left_out, &then, output)
+}
+
+/// Writes the files of an emission into a folder, and prints the change of each file. `left_out` is listed in JSON, and
+/// `then` is a sentence about the use of the files. Returns the exit status.
+///
+/// # Errors
+/// `Failure` if a file of another origin would be replaced or cannot be written.
+fn place_emission(
+    emission: &Emission,
+    out: &Path,
+    left_out: &[Value],
+    then: &str,
+    output: Output,
+) -> Result<u8, Failure> {
+    let placed = write_emission(emission, out).map_err(|error| match error {
         EmissionError::Foreign(_) | EmissionError::OtherModel(..) => {
             Failure::request(error.to_string(), "give another folder, or move the file away".to_owned())
         }
@@ -99,8 +122,6 @@ pub fn emit(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
         EmissionError::Io(path, error) => Failure::Output(path_as_plain_text(&path), error),
     })?;
     let lines: Vec<String> = placed.iter().map(|file| format!("{file}\n")).collect();
-    let left_out: Vec<Value> =
-        emission.left_out.iter().map(|(f, why)| json!({ "formulation": f.name(), "why": why.to_string() })).collect();
     let files: Vec<Value> = placed
         .iter()
         .map(EmittedFileChange::word_and_file)
@@ -108,8 +129,40 @@ pub fn emit(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
         .collect();
     let value = json!({ "folder": path_as_plain_text(out), "files": files, "left_out": left_out, "use": then });
     print_result(output, &lines.concat(), &value)?;
-    print_to_stderr(&then);
+    print_to_stderr(then);
     Ok(0)
+}
+
+/// Writes the robot description of a model in URDF. The parts that it does not have are listed on standard error and at
+/// the head of the file. Returns the exit status.
+///
+/// # Errors
+/// `Failure` if the request names equations, if the model has no description in URDF, or if the file cannot be written.
+fn emit_robot(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
+    if !request.formulations.is_empty() {
+        let what = "a robot description in URDF has no equations".to_owned();
+        return Err(Failure::request(what, "leave `--formulation` out, or give another language".to_owned()));
+    }
+    let path = model_file(&request.model);
+    if Source::read(&path).is_ok_and(|source| is_scene(&source)) {
+        let what = "a scene has no form in URDF".to_owned();
+        return Err(Failure::request(what, "give the model file in place of the scene".to_owned()));
+    }
+    let model = Model::read(&path)?;
+    let Description { robot, coordinates, remarks } = describe_robot(&model)?;
+    let emission = emit_description(&model, &["urdf"], |origin| {
+        let left_out = remarks.iter().map(|remark| format!("Left out: {remark}."));
+        let comments: Vec<String> =
+            [origin.to_owned()].into_iter().chain(coordinates.iter().cloned()).chain(left_out).collect();
+        urdf_text(&robot, &comments)
+    });
+    for remark in &remarks {
+        print_to_stderr(&format!("left out: {remark}"));
+    }
+    let left_out: Vec<Value> = remarks.iter().map(|remark| json!(remark)).collect();
+    let then =
+        "each joint has the coordinate of the model, with its zero and its sign; parameters have their default values";
+    place_emission(&emission, &request.out, &left_out, then, output)
 }
 
 /// Checks a request for equations in base parameters. `Err` if the language, a formulation or a function has no form in

@@ -6,6 +6,7 @@
 pub mod c;
 pub mod casadi;
 mod composite;
+pub mod description;
 mod dialect;
 mod language_target;
 pub mod matlab;

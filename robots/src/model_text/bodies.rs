@@ -164,7 +164,11 @@ impl Writer<'_> {
             let coordinate = format!("q_{name}");
             let start = match joint.limits {
                 Some((lower, upper)) if joint.reference <= lower || joint.reference >= upper => {
-                    f64::midpoint(lower, upper)
+                    match (lower.is_finite(), upper.is_finite()) {
+                        (true, false) => lower + 1.0,
+                        (false, true) => upper - 1.0,
+                        _ => f64::midpoint(lower, upper),
+                    }
                 }
                 _ => joint.reference,
             };

@@ -73,7 +73,8 @@ impl Writer<'_> {
             self.write_armature(joint, names);
         }
         if let Some((lower, upper)) = joint.limits {
-            for (end, relation, value) in [("min", ">", lower), ("max", "<", upper)] {
+            let ends = [("min", ">", lower), ("max", "<", upper)];
+            for (end, relation, value) in ends.into_iter().filter(|(.., value)| value.is_finite()) {
                 let bound = self.parameter(format!("{end}_{name}"), unit, value, String::new());
                 self.sections.domain.push(format!("{name}_{end} = \"{coordinate} {relation} {bound}\""));
             }

@@ -26,8 +26,8 @@ pub struct ModelText {
 pub struct Coordinate {
     /// Name of the coordinate in the model.
     pub name: String,
-    /// Value in the reference configuration, or the middle of the joint's limits if that value is not between them;
-    /// rad, m or 1.
+    /// Value in the reference configuration; rad, m or 1. If that value is not between the joint's limits, the middle
+    /// of the limits, or 1 rad or 1 m from the only limit.
     pub start: f64,
     /// Value in the reference configuration; rad, m or 1.
     pub reference: f64,

@@ -1,0 +1,34 @@
+//! Limits of coordinates from the domain of a model.
+
+use super::numbers::Numbers;
+use super::tree::{NodeMotion, Tree};
+use tripos_derive::Model;
+
+/// Limits of the coordinates, as (smallest, largest) value in rad or m, infinite without a limit. The second result has
+/// the names of the conditions that are no limit of one joint's coordinate.
+pub fn coordinate_limits<'m>(model: &'m Model, tree: &Tree, numbers: &mut Numbers) -> (Vec<(f64, f64)>, Vec<&'m str>) {
+    let mut limits = vec![(f64::NEG_INFINITY, f64::INFINITY); numbers.coordinates.len()];
+    let mut others = Vec::new();
+    for condition in &model.domain {
+        let affine = numbers.affine(condition.positive);
+        let bound = affine.and_then(|affine| match affine.slopes[..] {
+            [(coordinate, slope)] if has_limits(tree, coordinate) => {
+                Some((coordinate, slope, -affine.constant / slope))
+            }
+            _ => None,
+        });
+        let Some((coordinate, slope, bound)) = bound else {
+            others.push(condition.name.as_str());
+            continue;
+        };
+        let (lower, upper) = &mut limits[coordinate];
+        if slope > 0.0 { *lower = lower.max(bound) } else { *upper = upper.min(bound) }
+    }
+    (limits, others)
+}
+
+/// True if a coordinate is that of a joint with one coordinate, which can have limits.
+fn has_limits(tree: &Tree, coordinate: usize) -> bool {
+    tree.owner(coordinate)
+        .is_some_and(|owner| matches!(tree.nodes[owner].motion, NodeMotion::Slide { .. } | NodeMotion::Turn { .. }))
+}
