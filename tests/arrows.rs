@@ -190,6 +190,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/algebra/term/rational.rs",
             "derive/src/diagnostic.rs",
             "cli/src/page/print/entry_name.rs",
+            "cli/src/arguments/excite_options.rs",
             "cli/src/arguments/fit_options.rs",
             "derive/src/publication/systems/row_text.rs",
             "derive/src/diff/printed/listings.rs",

@@ -1,11 +1,12 @@
 //! Arguments of the command line. Doc comments of options are the help texts that the command prints.
 
+mod excite_options;
 mod fit_options;
 mod notations;
 mod requests;
 
 pub use notations::{Form, Format, Notation};
-pub use requests::{Fit, Grade, MarksFormat, Page, Plot, Set, Simulate, Sweep, View};
+pub use requests::{Excite, Fit, Grade, MarksFormat, Page, Plot, Set, Simulate, Sweep, View};
 
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
@@ -171,6 +172,17 @@ pub enum Command {
     /// Exit status: 1 if the data leave a combination of the unknowns open; 3 if a search does not come to an end.
     #[command(verbatim_doc_comment)]
     Fit(Fit),
+    /// Design a motion from which the base parameters of a mechanism can be estimated well: periodic, within limits
+    ///
+    /// Example, with a table for the robot, and the fit of the forces that were measured on it:
+    ///
+    ///   tripos excite arm.toml --limit q1=-1:1 --limit q2=-2:2 --limit "q1'=3" --write motion.csv
+    ///
+    ///   tripos fit arm.toml --data measured.csv
+    ///
+    /// Exit status: 1 if the motion leaves a combination of base parameters open.
+    #[command(verbatim_doc_comment)]
+    Excite(Excite),
     /// Compare a model with a published derivation, or with an edited model; exit status 1 if anything differs
     Diff {
         /// A model file, or a folder with model.toml
@@ -454,6 +466,7 @@ impl Command {
             Self::Simulate(request) => request.json,
             Self::Sweep(request) => request.json,
             Self::Fit(request) => request.json,
+            Self::Excite(request) => request.json,
             _ => false,
         }
     }

@@ -187,6 +187,7 @@ fn run(command: Command) -> Result<u8, Failure> {
             commands::identify::identify(&model, varied, at.as_deref(), Shape::of(json, csv))
         }
         Command::Fit(request) => commands::fit::fit(&request),
+        Command::Excite(request) => commands::excite::excite(&request),
         Command::Prove { model, also, json } => commands::prove::prove(&model, &also, Output::of_flag(json)),
         Command::Regenerate { models, check: true, json } => {
             commands::regenerate::check(&models, Output::of_flag(json))

@@ -7,6 +7,7 @@ mod contacts_apart;
 mod dead_points;
 mod driven;
 mod energy;
+mod excitations;
 mod fits;
 mod flights;
 mod frames;

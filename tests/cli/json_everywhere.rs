@@ -26,6 +26,7 @@ fn every_command_answers_in_json() {
         (&["check", "crane"], "coordinates"),
         (&["prove", "crane"], "pairs"),
         (&["identify", "crane"], "base"),
+        (&["excite", "crane", "--starts", "1", "--limit", "q_track=1", "--limit", "q_pivot=1"], "log_determinant"),
         (&["scene", scene], "model"),
         (&["simulate", scene], "state"),
         (&["sketch", scene, "--out", "s.svg"], "files"),

@@ -13,6 +13,7 @@ mod differences;
 mod documents;
 mod edited_model;
 mod emit;
+mod excite;
 mod files;
 mod fit;
 mod fmu;

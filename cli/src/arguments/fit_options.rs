@@ -61,7 +61,7 @@ impl Fit {
 ///
 /// # Errors
 /// `Failure` with the form of the option if there is no name or no rest.
-fn split_option<'a>(text: &'a str, option: &str, form: &str) -> Result<(&'a str, &'a str), Failure> {
+pub(super) fn split_option<'a>(text: &'a str, option: &str, form: &str) -> Result<(&'a str, &'a str), Failure> {
     let parts = text.split_once('=').map(|(name, rest)| (name.trim(), rest.trim()));
     parts.filter(|(name, rest)| !name.is_empty() && !rest.is_empty()).ok_or_else(|| {
         Failure::request(format!("`{option} {text}` is not understood"), format!("write {option} {form}"))
@@ -72,7 +72,7 @@ fn split_option<'a>(text: &'a str, option: &str, form: &str) -> Result<(&'a str,
 ///
 /// # Errors
 /// `Failure` if the text is no finite number.
-fn number_of_option(text: &str, option: &str) -> Result<f64, Failure> {
+pub(super) fn number_of_option(text: &str, option: &str) -> Result<f64, Failure> {
     text.trim().parse().ok().filter(|x: &f64| x.is_finite()).ok_or_else(|| {
         Failure::request(format!("`{}` in `{option}` is no number", text.trim()), "give a number in SI units")
     })
@@ -82,7 +82,7 @@ fn number_of_option(text: &str, option: &str) -> Result<f64, Failure> {
 ///
 /// # Errors
 /// `Failure` if the text is no finite number above 0.
-fn deviation_of_option(text: &str, option: &str) -> Result<f64, Failure> {
+pub(super) fn deviation_of_option(text: &str, option: &str) -> Result<f64, Failure> {
     let deviation = number_of_option(text, option)?;
     if deviation > 0.0 {
         return Ok(deviation);

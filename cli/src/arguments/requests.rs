@@ -190,6 +190,52 @@ pub struct Fit {
     pub json: bool,
 }
 
+/// A motion for the estimation of base parameters.
+#[derive(clap::Args)]
+pub struct Excite {
+    /// A model file, or a folder with model.toml
+    pub model: PathBuf,
+    /// Period of the motion, s
+    #[arg(long, value_name = "T", default_value_t = 10.0, allow_negative_numbers = true)]
+    pub period: f64,
+    /// Number of harmonics in the motion of each coordinate
+    #[arg(long, value_name = "L", default_value_t = 5)]
+    pub harmonics: usize,
+    /// Number of instants at which forces are measured, both ends included; by default 20 for each harmonic, and one
+    /// more
+    #[arg(long, value_name = "N")]
+    pub samples: Option<usize>,
+    /// Limits of a coordinate q1, of its rates q1' and q1'', or of a speed u1 and its rate u1', beside those of the
+    /// domain: NAME=LOW:HIGH, or NAME=MAX for -MAX to MAX; may be given more than once
+    #[arg(long = "limit", value_name = "NAME=LIMITS")]
+    pub limits: Vec<String>,
+    /// Begin and end at rest: rates and second rates are zero there
+    #[arg(long)]
+    pub rest: bool,
+    /// The value of a coordinate at the start and at the end; may be given more than once
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub home: Vec<String>,
+    /// The standard deviation of a measured force, such as "force(u1)=0.1"; 1 for the others, in SI units
+    #[arg(long, value_name = "NAME=DEVIATION")]
+    pub noise: Vec<String>,
+    /// Estimate the parameters that the model file declares, instead of all ten inertial parameters of every body
+    #[arg(long)]
+    pub declared: bool,
+    /// Number of searches, each from its own random start
+    #[arg(long, value_name = "K", default_value_t = 4)]
+    pub starts: usize,
+    /// Seed of the random numbers; equal seeds give equal motions
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// Write the motion to this file: a table of coordinates, speeds and their rates as CSV, or formulas as a motion
+    /// file if the name ends in .toml; one that is there is replaced
+    #[arg(long, value_name = "FILE")]
+    pub write: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// Other values for numbers of a scene.
 #[derive(clap::Args)]
 pub struct Set {

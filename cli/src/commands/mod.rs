@@ -8,6 +8,7 @@ pub mod diff;
 pub mod emit;
 pub mod equilibria;
 pub mod evaluate;
+pub mod excite;
 pub mod fit;
 pub mod fmu;
 pub mod grade;

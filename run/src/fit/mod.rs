@@ -1,5 +1,6 @@
 //! Parameters from measurements: least squares on measured forces, or on measured motions.
 //!
+//! - [`excitation`]: motions within limits, from which base parameters can be estimated well.
 //! - [`force_fit`]: the generalized forces that a motion needs are linear in base parameters
 //!   ([`tripos_derive::identify`]). Measured motions and forces give them by linear least squares.
 //! - [`possible_inertia`]: inertial parameters that real bodies can have, nearest to measured forces.
@@ -9,6 +10,7 @@
 //! Standard errors are those of least squares with independent errors of each measured quantity, of which the size is
 //! estimated from the residuals (Y. Bard, *Nonlinear Parameter Estimation* (1974), § 7.5).
 
+pub mod excitation;
 pub mod force_fit;
 mod levenberg_marquardt;
 mod low_pass;

@@ -175,7 +175,7 @@ fn even_distance(name: &str, instants: Option<&[f64]>) -> Result<f64, Error> {
 ///
 /// # Errors
 /// [`Error::Request`] if a parameter has no value.
-fn default_values(model: &Mechanism) -> Result<Vec<f64>, Error> {
+pub(super) fn default_values(model: &Mechanism) -> Result<Vec<f64>, Error> {
     let value = |p: &tripos_derive::model::Parameter| match &p.value {
         Some(value) => Ok(value.to_f64()),
         None if p.is_input => Ok(0.0),
