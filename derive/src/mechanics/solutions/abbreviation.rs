@@ -185,8 +185,8 @@ fn subterms_outside_functions(arena: &Arena, roots: &[Expr]) -> Vec<Expr> {
     list
 }
 
-/// Equations in which each defined symbol is replaced by its term. The list of definitions stays, for outputs of a scene
-/// that contain these symbols.
+/// Equations in which each defined symbol is replaced by its term. The list of definitions stays, for outputs of a
+/// scene that contain these symbols.
 fn without_definitions(arena: &mut Arena, equations: &Equations) -> Equations {
     let mut result = equations.clone();
     if equations.definitions.is_empty() {
