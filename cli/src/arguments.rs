@@ -350,8 +350,8 @@ pub enum Command {
         scene: PathBuf,
         #[command(flatten)]
         set: Set,
-        /// Print abbreviated equations instead: leave out all terms that change no shown quantity by more than this
-        /// part of its largest size, such as 1e-3, as runs of the scene show
+        /// Print abbreviated equations instead: leave out terms as long as no shown quantity changes by more than this
+        /// part of its largest size, such as 1e-3, in runs of this scene
         #[arg(long, value_name = "PART")]
         within: Option<f64>,
         /// Print JSON

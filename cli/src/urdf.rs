@@ -35,6 +35,8 @@ pub struct Description {
     pub coordinates: Vec<String>,
     /// Parts of the model that the description does not have, one sentence each.
     pub remarks: Vec<String>,
+    /// Sentences on links that readers may refuse.
+    pub notes: Vec<String>,
 }
 
 /// Makes the robot description of a model.

@@ -343,8 +343,8 @@ fn read_joint(urdf: &UrdfJoint<'_, '_>, reading: &Reading) -> (Pose, Option<Join
             let message = format!("the lower limit {lower} exceeds the upper limit {upper}");
             reading.add(place(limit), message, "exchange the two limits");
         }
-        let most = lower.abs().max(upper.abs());
-        if motion == JointMotion::Hinge && most > 8.0 * LARGEST_ANGLE && most < NO_LIMIT {
+        let stated = [lower, upper].map(f64::abs).into_iter().filter(|bound| *bound < NO_LIMIT);
+        if motion == JointMotion::Hinge && stated.fold(0.0, f64::max) > 8.0 * LARGEST_ANGLE {
             let message = format!("the limits {lower} and {upper} rad are more than sixteen turns");
             reading.add(place(limit), message, "angles of URDF are in radians, not in degrees");
         }

@@ -96,8 +96,8 @@ pub struct Mimic {
 pub fn urdf_text(robot: &LinkTree, comments: &[String]) -> String {
     let mut text = String::new();
     for comment in comments {
-        // Two hyphens would end a comment of XML.
-        let line = comment.replace(['\r', '\n'], " ").replace("--", "- -");
+        // Two hyphens would end a comment of XML. After three hyphens, two still stand together once.
+        let line = comment.replace(['\r', '\n'], " ").replace("--", "- -").replace("--", "- -");
         let _ = writeln!(text, "<!-- {line} -->");
     }
     let _ = writeln!(text, "<robot name=\"{}\">", escaped(&robot.name));
@@ -201,7 +201,8 @@ fn write_axis_joint(text: &mut String, joint: &AxisJoint, is_continuous: bool) {
     let _ = writeln!(text, "    <axis xyz=\"{}\"/>", numbers_text(&axis));
     if !is_continuous {
         let (lower, upper) = joint.limits;
-        let [lower, upper] = [lower.max(-NO_LIMIT), upper.min(NO_LIMIT)].map(exact_number_text);
+        let stated = |bound: f64, none: f64| exact_number_text(if bound.is_finite() { bound } else { none });
+        let [lower, upper] = [stated(lower, upper.min(-NO_LIMIT)), stated(upper, lower.max(NO_LIMIT))];
         let most = exact_number_text(NO_LIMIT);
         let _ =
             writeln!(text, "    <limit lower=\"{lower}\" upper=\"{upper}\" effort=\"{most}\" velocity=\"{most}\"/>");

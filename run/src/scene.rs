@@ -180,9 +180,8 @@ impl Scene {
         self.mechanism.prove()
     }
 
-    /// Leaves out the terms of the scene's equations that change no shown quantity by more than the part `within` of
-    /// its largest size, as runs of this scene show. For other starts, parameters and spans, the differences may be
-    /// larger.
+    /// Leaves out terms of the scene's equations as long as no shown quantity changes by more than the part `within` of
+    /// its largest size, in runs of this scene. With other starts, parameters or spans, the differences may be larger.
     ///
     /// # Errors
     /// [`Error::Request`] if `within` is not between 0 and 1, or if the scene has impacts. [`Error::Stopped`] if the

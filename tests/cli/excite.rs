@@ -131,7 +131,7 @@ fn the_text_names_limits_and_what_is_not_told() {
     };
     let lines: Vec<String> = out.lines().filter(|line| !line.starts_with("q2 =")).map(words).collect();
     expect![[r#"
-        Arm of two links: a motion that tells its base parameters
+        Arm of two links: a motion that determines its base parameters
         best of # motions in # searches; a better one may exist
 
         [motion]
@@ -154,13 +154,13 @@ fn the_text_names_limits_and_what_is_not_told() {
         condition number of W with columns of length 1: #
 
         standard errors of the base parameters from forces of standard deviation #
-          Izz_upper + L1^2*m_fore: not told by the motion
+          Izz_upper + L1^2*m_fore: not determined by the motion
           Izz_fore: # kg*m^2
           mx_fore: # kg*m
           my_fore: # kg*m
-          d1: not told by the motion
-        not told by the motion: no force changes if Izz_upper + L1^2*m_fore changes by #
-        not told by the motion: no force changes if d1 changes by #
+          d1: not determined by the motion
+        not determined by the motion: no force changes if Izz_upper + L1^2*m_fore changes by #
+        not determined by the motion: no force changes if d1 changes by #
     "#]]
     .assert_eq(&(lines.join("\n") + "\n"));
 }
@@ -231,9 +231,9 @@ fn wrong_limits_are_refused() {
     refuses_for_arm(
         &["--limit", "q1=0:0", "--limit", "q2=0:0"],
         expect![[r#"
-        error: no motion within the limits tells a base parameter
-        help: give at least one coordinate limits that let it move
-    "#]],
+            error: no motion within the limits determines a base parameter
+            help: give at least one coordinate limits that let it move
+        "#]],
     );
     refuses_for_arm(
         &with_limits(&["--limit", "q1=2"]),
@@ -292,9 +292,9 @@ fn wrong_options_are_refused() {
     refuses_for_arm(
         &with_limits(&["--period", "-1"]),
         expect![[r#"
-        error: a period of -1 s is none
-        help: give a period above 0 s
-    "#]],
+            error: the period -1 s is not above 0
+            help: give a period above 0 s
+        "#]],
     );
     refuses_for_arm(
         &with_limits(&["--harmonics", "1", "--rest"]),
@@ -306,8 +306,8 @@ fn wrong_options_are_refused() {
     refuses_for_arm(
         &with_limits(&["--samples", "8"]),
         expect![[r#"
-            error: 8 samples do not show the motion
-            help: give from 12 to 10000 samples for 5 harmonics
+            error: 8 samples are not possible for 5 harmonics
+            help: give from 12 to 10000 samples
         "#]],
     );
     refuses_for_arm(

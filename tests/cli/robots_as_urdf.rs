@@ -51,6 +51,14 @@ fn descriptions_survive_reading_and_writing() {
             assert_eq!(lines("robot", section), lines("again", section), "{stem}: {section}");
         }
         assert_eq!(lines("robot", "points").len(), lines("again", "points").len(), "{stem}");
+        // The sections name their numbers by parameters. Limits of coupled joints are written for each of them.
+        let stems = if stem == "hand" { &["c_", "f_"][..] } else { &["c_", "f_", "min_", "max_"] };
+        let of_joints = |folder_name: &str| {
+            let all = lines(folder_name, "parameters").into_iter();
+            all.filter(|line| stems.iter().any(|stem| line.starts_with(stem))).collect::<Vec<_>>()
+        };
+        assert_eq!(of_joints("robot"), of_joints("again"), "{stem}");
+        assert!(stem != "scara" || lines("robot", "friction").len() > 1, "scara has dry friction");
     }
 }
 
@@ -208,12 +216,12 @@ fn every_kind_of_joint_keeps_its_coordinates() {
     let (_, err) = tripos(folder.path(), &arguments);
     expect![[r#"
         left out: inputs `drive`: URDF states no drives
-        left out: conditions `near`: none is a limit of one joint
-        left out: loads `pull`: URDF states damping and dry friction of joints alone
-        left out: the parts without damping of the loads `motor`
+        left out: conditions `near`: none is a constant bound of a joint with one coordinate, or they exclude one another
+        left out: loads `pull`: none is damping or dry friction between a link and the link that carries it
+        left out: loads `motor`: only their damping is written
         left out: shape `line`: a line
-        left out: mass or a moment of inertia of the links `q_thread_follower_link`, `q_bush_2_link`, `q_shoulder_1_link`, `q_shoulder_2_link`: it is zero, and MuJoCo and Gazebo need positive ones
-        each joint has the coordinate of the model, with its zero and its sign; parameters have their default values
+        note: mass or a moment of inertia of the links `q_thread_follower_link`, `q_bush_2_link`, `q_shoulder_1_link`, `q_shoulder_2_link` is zero: MuJoCo and Gazebo refuse such links
+        each coordinate of the model belongs to one joint, with the same zero and sign; parameters have their default values
     "#]].assert_eq(&err);
     let bare = KINDS.replace("pull = { on = \"puck\", against = \"base\", stiffness = \"50 N/m\" }", "");
     std::fs::write(folder.path().join("kinds.toml"), bare.replace("[springs]", "")).unwrap();
@@ -250,6 +258,60 @@ fn every_kind_of_joint_keeps_its_coordinates() {
 }
 
 /// A model of one arm; words of it are replaced by mistakes.
+/// Two carts whose positions are measured from the ground, and a body in a plane whose angle a wheel follows.
+const CARTS: &str = r#"name = "carts"
+[parameters]
+g = "9.81 m/s^2"
+m = "2 kg"
+A = "0.05 kg*m^2"
+h = "0.1 m"
+d = "0.2 m"
+[coordinates]
+x1 = { unit = "m" }
+x2 = { unit = "m" }
+x = { unit = "m" }
+y = { unit = "m" }
+theta = { unit = "rad" }
+[speeds]
+u1 = "x1'"
+u2 = "x2'"
+u3 = "x'"
+u4 = "y'"
+u5 = "theta'"
+[inertial]
+frame = "N"
+origin = "O"
+[gravity]
+frame = "N"
+acceleration = [0, 0, "-g"]
+[frames]
+B = { from = "N", axis = 3, angle = "theta" }
+W = { from = "B", axis = 1, angle = "2*theta" }
+[points]
+P = { from = "O", frame = "N", position = ["x1", 0, 0] }
+Q = { from = "P", frame = "N", position = ["x2 - x1", 0, "h"] }
+C = { from = "O", frame = "N", position = ["x", "y", 0] }
+D = { from = "C", frame = "B", position = ["d", 0, 0] }
+[particles]
+first = { point = "P", mass = "m" }
+second = { point = "Q", mass = "m/2" }
+[bodies]
+plate = { frame = "B", centre = "C", mass = "m", inertia = { diagonal = ["A", "A", "A"] } }
+wheel = { frame = "W", centre = "D", mass = "m/4", inertia = { diagonal = ["A", "A", "A"] } }
+"#;
+
+/// Goal: parts of a position that cancel make no joint, and no joint follows one with several coordinates.
+#[test]
+fn cancelled_parts_and_followed_angles_keep_their_coordinates() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("carts.toml"), CARTS).unwrap();
+    let text = written_and_read(folder.path(), "carts.toml");
+    assert!(!text.contains("NaN"), "{text}");
+    let names = [("x1", "q_x1", 1.0), ("x2", "q_x2", 1.0), ("x", "q_x", 1.0), ("y", "q_y", 1.0)];
+    let names = [&names[..], &[("theta", "q_theta", 1.0)]].concat();
+    assert_same_robot(folder.path(), "carts.toml", &names);
+}
+
 const ARM: &str = r#"name = "arm"
 [parameters]
 g = "1.62 m/s^2"
@@ -316,7 +378,7 @@ fn models_that_are_no_tree_of_joints_are_refused() {
           = help: URDF states numbers: add `value = …` to the parameter
 
         absolute angle:
-        error: the body `lower` has no joint of URDF: the frame `G` is not turned from `F`, with which its place turns
+        error: the body `lower` has no joint of URDF: the frame `G` is not turned from `F`, although its position is fixed in `F`
           --> arm.toml:18:1
            |
         18 | G = { from = "N", axis = 1, angle = "p" }
@@ -343,7 +405,7 @@ fn models_that_are_no_tree_of_joints_are_refused() {
            = help: a joint of URDF turns by one coordinate of its own, or by one that follows it with a constant factor: choose the relative angle as a coordinate
 
         driven:
-        error: the body `lower` has no joint of URDF: the turn of the frame `G` is not linear in one coordinate
+        error: the body `lower` has no joint of URDF: the turn of the frame `G` is not a constant plus a constant times one coordinate
           --> arm.toml:18:1
            |
         18 | G = { from = "F", axis = 1, angle = "p + g*t^2/l" }
@@ -352,7 +414,7 @@ fn models_that_are_no_tree_of_joints_are_refused() {
            = help: a joint of URDF turns by one coordinate of its own, or by one that follows it with a constant factor: choose the relative angle as a coordinate
 
         cam:
-        error: the body `lower` has no joint of URDF: the position of `D` is not linear in coordinates
+        error: the body `lower` has no joint of URDF: the position of `D` is not a constant plus constants times coordinates
           --> arm.toml:21:1
            |
         21 | D = { from = "C", frame = "G", position = [0, 0, "l*sin(q)"] }
@@ -476,9 +538,11 @@ fn an_arm_becomes_a_readable_description() {
             }
           ],
           "left_out": [
-            "gravity (0, 0, -1.62) m/s²: readers of URDF take (0, 0, -9.81) m/s²; set it in their program"
+            {
+              "what": "gravity (0, 0, -1.62) m/s²: readers of URDF take (0, 0, -9.81) m/s²; set it in their program"
+            }
           ],
-          "use": "each joint has the coordinate of the model, with its zero and its sign; parameters have their default values"
+          "use": "each coordinate of the model belongs to one joint, with the same zero and sign; parameters have their default values"
         }
     "#]].assert_eq(&tripos(folder.path(), &arguments).0);
 }

@@ -385,11 +385,14 @@ fn abbreviated_equations_are_printed_with_their_measured_differences() {
         assert!(relative <= 0.05 && (largest - relative * scale).abs() <= 1e-12 * scale, "{difference}");
     }
     let (status, text, _) = answer(&["scene", "models/furuta/scenes/swing.toml", "--within", "0.05"]);
-    assert!(status == 0 && text.contains("other starts, parameters and spans may differ more"), "{text}");
+    assert!(
+        status == 0 && text.contains("with other starts, parameters or spans, differences may be larger"),
+        "{text}"
+    );
     let (status, _, error) = answer(&["scene", LEAN, "--within", "2"]);
     expect_test::expect![[r"
         2
-        error: the bound 2 is not between 0 and 1
+        error: the bound 2 is not between 1e-10 and 1
         help: state a part of each shown quantity, such as --within 1e-3
     "]]
     .assert_eq(&format!("{status}\n{error}"));

@@ -228,7 +228,7 @@ pub struct Excite {
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     /// Write the motion to this file: a table of coordinates, speeds and their rates as CSV, or formulas as a motion
-    /// file if the name ends in .toml; one that is there is replaced
+    /// file if the name ends in .toml; an existing file is replaced
     #[arg(long, value_name = "FILE")]
     pub write: Option<PathBuf>,
     /// Print JSON

@@ -52,7 +52,9 @@ fn abbreviation_json(model: &Mechanism, title: &str, within: f64, found: &Abbrev
         "differences": differences.collect::<Vec<_>>(),
         "cost": { "whole": cost(found.whole_cost), "abbreviated": cost(found.cost) },
         "runs": found.runs,
+        "complete": found.is_complete,
         "end": found.end,
+        "constants": found.constants.iter().map(|(name, value)| json!({ "name": name, "value": value })).collect::<Vec<_>>(),
         "equations": equation_lines(&found.derivation),
     })
 }
@@ -80,23 +82,34 @@ fn abbreviation_text(model: &Mechanism, title: &str, start: f64, within: f64, fo
     );
     let _ = writeln!(
         out,
-        "measured by {} runs of this scene from t = {} s to {} s: other starts, parameters and spans may differ more",
-        found.runs,
+        "measured in this scene from t = {} s to {} s by {} runs: with other starts, parameters or spans, differences may be larger",
         number(start),
-        number(found.end)
+        number(found.end),
+        found.runs
     );
+    if !found.is_complete {
+        let _ =
+            writeln!(out, "the search ended after {} runs: more terms may be left out within the bound", found.runs);
+    }
     let _ = writeln!(out, "\nlargest differences from the whole equations");
     for d in &found.differences {
         let _ =
             writeln!(out, "  {}: {:.2e}, {:.2e} of its largest size {:.3e}", d.name, d.largest, d.relative(), d.scale);
     }
     let _ = writeln!(out, "\nequations");
+    for (name, value) in &found.constants {
+        let _ = writeln!(out, "  constant {name} = {value:?}");
+    }
     for line in equation_lines(&found.derivation) {
         let _ = writeln!(out, "  {line}");
     }
-    let _ = writeln!(out, "\nleft out, with the largest change of an acceleration by each term alone");
+    let _ = writeln!(
+        out,
+        "\nleft out; each number is the largest change of an acceleration by this term alone, as a part of its largest size, or \"at rest\" if that is zero"
+    );
     for d in found.dropped.iter().take(LISTED) {
-        let _ = writeln!(out, "  {:.1e}  {}  in  {}", d.effect, d.term, shortened_for_message(&d.sum));
+        let effect = if d.effect.is_finite() { format!("{:.1e}", d.effect) } else { "at rest".to_owned() };
+        let _ = writeln!(out, "  {effect}  {}  in  {}", d.term, shortened_for_message(&d.sum));
     }
     if found.dropped.len() > LISTED {
         let _ = writeln!(out, "  and {} terms with smaller changes", found.dropped.len() - LISTED);

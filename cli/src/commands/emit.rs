@@ -149,19 +149,22 @@ fn emit_robot(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
         return Err(Failure::request(what, "give the model file in place of the scene".to_owned()));
     }
     let model = Model::read(&path)?;
-    let Description { robot, coordinates, remarks } = describe_robot(&model)?;
+    let Description { robot, coordinates, remarks, notes } = describe_robot(&model)?;
     let emission = emit_description(&model, &["urdf"], |origin| {
         let left_out = remarks.iter().map(|remark| format!("Left out: {remark}."));
+        let notes = notes.iter().map(|note| format!("Note: {note}."));
         let comments: Vec<String> =
-            [origin.to_owned()].into_iter().chain(coordinates.iter().cloned()).chain(left_out).collect();
+            [origin.to_owned()].into_iter().chain(coordinates.iter().cloned()).chain(left_out).chain(notes).collect();
         urdf_text(&robot, &comments)
     });
     for remark in &remarks {
         print_to_stderr(&format!("left out: {remark}"));
     }
-    let left_out: Vec<Value> = remarks.iter().map(|remark| json!(remark)).collect();
-    let then =
-        "each joint has the coordinate of the model, with its zero and its sign; parameters have their default values";
+    for note in &notes {
+        print_to_stderr(&format!("note: {note}"));
+    }
+    let left_out: Vec<Value> = remarks.iter().map(|remark| json!({ "what": remark })).collect();
+    let then = "each coordinate of the model belongs to one joint, with the same zero and sign; parameters have their default values";
     place_emission(&emission, &request.out, &left_out, then, output)
 }
 

@@ -97,7 +97,7 @@ impl Answer<'_> {
         let Self { model, options, motion, .. } = self;
         let information = &motion.information;
         let mut out = format!(
-            "{}: a motion that tells its base parameters\nbest of {} motions in {} searches; a better one may exist\n\n{}\n",
+            "{}: a motion that determines its base parameters\nbest of {} motions in {} searches; a better one may exist\n\n{}\n",
             model.title,
             motion.tried,
             options.starts,
@@ -115,7 +115,11 @@ impl Answer<'_> {
             };
         }
         for (name, least) in &motion.conditions {
-            let _ = writeln!(out, "  condition {name}: at least {} above 0", with_reliable_digits(*least, None));
+            let _ = writeln!(
+                out,
+                "  condition {name}: its term is at least {} in SI units, and must be above 0",
+                with_reliable_digits(*least, None)
+            );
         }
         let counted: Vec<usize> = (0..information.is_counted.len()).filter(|at| information.is_counted[*at]).collect();
         let _ = writeln!(
@@ -138,7 +142,7 @@ impl Answer<'_> {
             let unit = &self.found.regressor.columns[self.found.base[at].column].unit;
             let _ = match error {
                 Some(error) => writeln!(out, "  {}: {} {unit}", self.name(at), with_reliable_digits(*error, None)),
-                None => writeln!(out, "  {}: not told by the motion", self.name(at)),
+                None => writeln!(out, "  {}: not determined by the motion", self.name(at)),
             };
         }
         for direction in &information.untold {
@@ -146,7 +150,7 @@ impl Answer<'_> {
                 .iter()
                 .map(|(at, rate)| format!("{} changes by {}", self.name(*at), with_reliable_digits(*rate, None)))
                 .collect();
-            let _ = writeln!(out, "not told by the motion: no force changes if {}", parts.join(" and "));
+            let _ = writeln!(out, "not determined by the motion: no force changes if {}", parts.join(" and "));
         }
         out
     }

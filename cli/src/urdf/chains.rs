@@ -10,6 +10,9 @@ use tripos_derive::Model;
 use tripos_derive::geometry::{Placement, Turn};
 use tripos_robots::axis_turn;
 
+/// Relative difference up to which two places or axes of joints count as one, as rounding of doubles.
+pub const ROUNDING: f64 = 1e-12;
+
 /// Rotation from the frame before to a frame.
 pub enum FrameTurn {
     /// Constant rotation, or none for the inertial frame.
@@ -144,7 +147,9 @@ impl<'m> Places<'m> {
             let name = |frame: usize| &self.model.frames[frame].name;
             let (own, other) = (name(frame.unwrap_or(group)), name(off.frame));
             return Err(NoChain {
-                message: format!("the frame `{own}` is not turned from `{other}`, with which its place turns"),
+                message: format!(
+                    "the frame `{own}` is not turned from `{other}`, although its position is fixed in `{other}`"
+                ),
                 advice: format!(
                     "URDF measures each joint from the link that carries it: measure `{own}` from `{other}`, by a relative angle"
                 ),
@@ -159,7 +164,8 @@ impl<'m> Places<'m> {
                 steps.push(Step::Turn(*group));
             }
             let mut shift = Vector3::zeros();
-            let mut slides: Vec<(usize, Vector3<f64>)> = Vec::new();
+            // Vector of each slide, and the sum of the sizes of its parts.
+            let mut slides: Vec<(usize, Vector3<f64>, f64)> = Vec::new();
             for (at, placement) in placements.iter().rev().filter(|(_, placement)| group_of(placement) == *group) {
                 let rotation = self.frames[placement.frame].in_group;
                 for (axis, component) in placement.components.iter().enumerate() {
@@ -167,14 +173,20 @@ impl<'m> Places<'m> {
                     let along = rotation.column(axis).into_owned();
                     shift += along * affine.constant;
                     for (coordinate, slope) in affine.slopes {
-                        match slides.iter_mut().find(|(known, _)| *known == coordinate) {
-                            Some((_, vector)) => *vector += along * slope,
-                            None => slides.push((coordinate, along * slope)),
+                        let part = along * slope;
+                        match slides.iter_mut().find(|(known, ..)| *known == coordinate) {
+                            Some((_, vector, size)) => {
+                                *vector += part;
+                                *size += part.norm();
+                            }
+                            None => slides.push((coordinate, part, part.norm())),
                         }
                     }
                 }
             }
-            steps.extend(slides.into_iter().map(|(coordinate, vector)| Step::Slide(coordinate, vector)));
+            // Parts that cancel, such as those of x1 and x2 - x1, move nothing.
+            let slides = slides.into_iter().filter(|(_, vector, size)| vector.norm() > ROUNDING * size);
+            steps.extend(slides.map(|(coordinate, vector, _)| Step::Slide(coordinate, vector)));
             steps.push(Step::Shift(shift));
         }
         Ok(Chain { steps })
@@ -184,7 +196,7 @@ impl<'m> Places<'m> {
     fn moves_oddly(&self, point: usize) -> NoChain {
         let name = &self.model.points[point].name;
         NoChain {
-            message: format!("the position of `{name}` is not linear in coordinates"),
+            message: format!("the position of `{name}` is not a constant plus constants times coordinates"),
             advice: "URDF has joints that slide by a coordinate and joints that turn by one: place the point by constant components, and by coordinates with constant factors".to_owned(),
             frame: None,
             point: Some(point),
@@ -233,7 +245,7 @@ fn frame_turn(turn: &Turn, numbers: &mut Numbers) -> (FrameTurn, Matrix3<f64>) {
     let mut constant = Matrix3::identity();
     let kind = match turn {
         Turn::About(axis, angle) => match numbers.affine(*angle) {
-            None => FrameTurn::Other("is not linear in one coordinate"),
+            None => FrameTurn::Other("is not a constant plus a constant times one coordinate"),
             Some(affine) => match affine.slopes[..] {
                 [] => {
                     constant = axis_turn(*axis, affine.constant);

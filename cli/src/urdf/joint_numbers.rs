@@ -31,7 +31,10 @@ impl LinkBuilder<'_> {
     pub(super) fn joint_numbers(&mut self, remarks: &mut Vec<String>) -> JointNumbers {
         let (limits, others) = coordinate_limits(self.model, &self.tree, &mut self.numbers);
         if !others.is_empty() {
-            remarks.push(format!("conditions {}: none is a limit of one joint", names(others.into_iter())));
+            remarks.push(format!(
+                "conditions {}: none is a constant bound of a joint with one coordinate, or they exclude one another",
+                names(others.into_iter())
+            ));
         }
         let (mut losses, mut left, mut parts) = (Vec::new(), Vec::new(), Vec::new());
         let mut smooth: Vec<(&str, f64)> = Vec::new();
@@ -51,10 +54,12 @@ impl LinkBuilder<'_> {
         }
         if !left.is_empty() {
             let left = names(left.into_iter());
-            remarks.push(format!("loads {left}: URDF states damping and dry friction of joints alone"));
+            remarks.push(format!(
+                "loads {left}: none is damping or dry friction between a link and the link that carries it"
+            ));
         }
         if !parts.is_empty() {
-            remarks.push(format!("the parts without damping of the loads {}", names(parts.into_iter())));
+            remarks.push(format!("loads {}: only their damping is written", names(parts.into_iter())));
         }
         if let Some((_, rate)) = smooth.iter().max_by(|one, other| one.1.total_cmp(&other.1)) {
             let list = names(smooth.iter().map(|(name, _)| *name));

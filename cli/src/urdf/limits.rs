@@ -5,10 +5,10 @@ use super::tree::{NodeMotion, Tree};
 use tripos_derive::Model;
 
 /// Limits of the coordinates, as (smallest, largest) value in rad or m, infinite without a limit. The second result has
-/// the names of the conditions that are no limit of one joint's coordinate.
+/// the names of the conditions that are no limit of one joint's coordinate, or that exclude one another.
 pub fn coordinate_limits<'m>(model: &'m Model, tree: &Tree, numbers: &mut Numbers) -> (Vec<(f64, f64)>, Vec<&'m str>) {
     let mut limits = vec![(f64::NEG_INFINITY, f64::INFINITY); numbers.coordinates.len()];
-    let mut others = Vec::new();
+    let (mut others, mut used) = (Vec::new(), Vec::new());
     for condition in &model.domain {
         let affine = numbers.affine(condition.positive);
         let bound = affine.and_then(|affine| match affine.slopes[..] {
@@ -22,7 +22,18 @@ pub fn coordinate_limits<'m>(model: &'m Model, tree: &Tree, numbers: &mut Number
             continue;
         };
         let (lower, upper) = &mut limits[coordinate];
-        if slope > 0.0 { *lower = lower.max(bound) } else { *upper = upper.min(bound) }
+        if slope > 0.0 {
+            *lower = lower.max(bound);
+        } else {
+            *upper = upper.min(bound);
+        }
+        used.push((condition.name.as_str(), coordinate));
+    }
+    let is_empty = |coordinate: usize| limits[coordinate].0 > limits[coordinate].1;
+    let empty: Vec<usize> = (0..limits.len()).filter(|coordinate| is_empty(*coordinate)).collect();
+    others.extend(used.iter().filter(|(_, coordinate)| empty.contains(coordinate)).map(|(name, _)| *name));
+    for coordinate in empty {
+        limits[coordinate] = (f64::NEG_INFINITY, f64::INFINITY);
     }
     (limits, others)
 }

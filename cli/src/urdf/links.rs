@@ -59,11 +59,11 @@ impl LinkBuilder<'_> {
             let joint = LinkJoint { name: joint_names.reserve(&name), parent, origin, motion: LinkMotion::Fixed };
             links.push(Link { name: body_names[body].clone(), inertia, shapes: Vec::new(), joint: Some(joint) });
         }
-        self.add_points(&nodes, &mut links, &mut link_names, &mut joint_names);
+        self.add_points(&nodes, &mut links, &mut link_names, &mut joint_names, &mut remarks);
         self.add_shapes(&nodes, &mut links, &mut remarks);
-        self.add_remarks_on_links(&links, &mut remarks);
+        let notes = self.notes_on_links(&links, &mut remarks);
         let coordinates = self.coordinate_sentences(&nodes);
-        Ok(Description { robot: LinkTree { name: self.model.title.clone(), links }, coordinates, remarks })
+        Ok(Description { robot: LinkTree { name: self.model.title.clone(), links }, coordinates, remarks, notes })
     }
 
     /// Tree joint that places a body.
@@ -180,13 +180,15 @@ impl LinkBuilder<'_> {
     }
 
     /// Adds a fixed link without mass for each point that stands for no body and no joint and from which nothing is
-    /// placed, such as the tip of a tool. Its axes are those of the link that carries it.
+    /// placed, such as the tip of a tool. Its axes are those of the link that carries it. Points without a link are
+    /// added to the remarks.
     fn add_points(
         &mut self,
         nodes: &[NodeLink],
         links: &mut Vec<Link>,
         link_names: &mut Names,
         joint_names: &mut Names,
+        remarks: &mut Vec<String>,
     ) {
         let points = &self.model.points;
         let is_used = |at: usize| {
@@ -196,9 +198,13 @@ impl LinkBuilder<'_> {
         };
         let tips: Vec<usize> = (1..points.len()).filter(|at| !is_used(*at)).collect();
         for at in tips {
-            let Ok(chain) = self.places.chain(&mut self.numbers, None, at) else { continue };
-            let Some(NodePlace { node, position }) = self.tree.find(&self.places, &chain) else { continue };
-            let Some(parent) = nodes[node].link else { continue };
+            let chain = self.places.chain(&mut self.numbers, None, at);
+            let place = chain.ok().and_then(|chain| self.tree.find(&self.places, &chain));
+            let carried = place.and_then(|place| Some((nodes[place.node].link?, place)));
+            let Some((parent, NodePlace { node, position })) = carried else {
+                remarks.push(format!("point `{}`: it moves with no link", points[at].name));
+                continue;
+            };
             let origin = Pose::at(nodes[node].pose.inverse().transform(&position));
             let name = link_names.reserve(&points[at].name);
             let joint = joint_names.reserve(&format!("{name}_fixed"));
@@ -212,7 +218,10 @@ impl LinkBuilder<'_> {
         for shape in &self.model.shapes {
             match shape_on_node(shape, &self.places, &self.tree, &mut self.numbers) {
                 Ok((node, found)) => {
-                    let Some(link) = nodes[node].link else { continue };
+                    let Some(link) = nodes[node].link else {
+                        remarks.push(format!("shape `{}`: it moves with no link", shape.name));
+                        continue;
+                    };
                     let pose = nodes[node].pose.inverse().compose(&found.pose);
                     links[link].shapes.push(tripos_robots::Shape { pose, ..found });
                 }
@@ -221,8 +230,9 @@ impl LinkBuilder<'_> {
         }
     }
 
-    /// Adds remarks on coordinates without a joint, and on links that readers may refuse.
-    fn add_remarks_on_links(&self, links: &[Link], remarks: &mut Vec<String>) {
+    /// Sentences on links that readers may refuse. Coordinates without a joint are added to the remarks.
+    fn notes_on_links(&self, links: &[Link], remarks: &mut Vec<String>) -> Vec<String> {
+        let mut notes = Vec::new();
         let unused = (0..self.numbers.coordinates.len()).filter(|at| self.tree.owner(*at).is_none());
         let unused = names(unused.map(|at| self.model.coordinates[at].name.as_str()));
         if !unused.is_empty() {
@@ -235,15 +245,18 @@ impl LinkBuilder<'_> {
         };
         let light = names(links.iter().filter(moves).filter(is_light).map(|link| link.name.as_str()));
         if !light.is_empty() {
-            remarks.push(format!(
-                "mass or a moment of inertia of the links {light}: it is zero, and MuJoCo and Gazebo need positive ones"
+            notes.push(format!(
+                "mass or a moment of inertia of the links {light} is zero: MuJoCo and Gazebo refuse such links"
             ));
         }
         let is_impossible = |link: &&Link| link.inertia.as_ref().is_some_and(|one| one.impossibility().is_some());
         let impossible = names(links.iter().filter(is_impossible).map(|link| link.name.as_str()));
         if !impossible.is_empty() {
-            remarks.push(format!("possible moments of inertia of the links {impossible}: readers may refuse theirs"));
+            notes.push(format!(
+                "moments of inertia of the links {impossible} are those of no body: readers may refuse these links"
+            ));
         }
+        notes
     }
 
     /// Sentences on the coordinates of joints whose names differ from those of the coordinates.

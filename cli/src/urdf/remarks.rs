@@ -12,15 +12,15 @@ pub fn parts_without_form(model: &Model, numbers: &Numbers) -> Vec<String> {
     let mut list = Vec::new();
     match &model.gravity {
         None => list.push("gravity: the model has none, and readers of URDF add 9.81 m/s² against axis 3".to_owned()),
-        Some(gravity) => {
-            let found = numbers.constants(&gravity.acceleration);
-            if found.is_none_or(|found| found != USUAL_GRAVITY) {
-                let [x, y, z] = found.unwrap_or([f64::NAN; 3]);
-                list.push(format!(
-                    "gravity ({x}, {y}, {z}) m/s²: readers of URDF take (0, 0, -9.81) m/s²; set it in their program"
-                ));
-            }
-        }
+        Some(gravity) => match numbers.constants(&gravity.acceleration) {
+            Some(found) if found == USUAL_GRAVITY => {}
+            Some([x, y, z]) => list.push(format!(
+                "gravity ({x}, {y}, {z}) m/s²: readers of URDF take (0, 0, -9.81) m/s²; set it in their program"
+            )),
+            None => list.push(
+                "gravity that depends on inputs or on the time: set it in the program that reads the file".to_owned(),
+            ),
+        },
     }
     let inputs = names(model.inputs.iter().map(|input| input.name.as_str()));
     if !inputs.is_empty() {

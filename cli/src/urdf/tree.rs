@@ -1,11 +1,8 @@
 //! Tree of joints that the chains of all bodies share.
 
-use super::chains::{Chain, FrameTurn, Places, Step};
+use super::chains::{Chain, FrameTurn, Places, ROUNDING, Step};
 use nalgebra::{Matrix3, Vector3};
 use tripos_robots::{Pose, axis_turn};
-
-/// Relative difference up to which two places or axes of joints count as one, as rounding of doubles.
-const ROUNDING: f64 = 1e-12;
 
 /// Motion by which a node moves relative to the node that carries it.
 #[derive(Clone, Copy, Debug)]
@@ -213,9 +210,13 @@ impl Tree {
                 };
                 (slides.len() == axes.len()).then(|| axes.iter().map(along).collect()).flatten()
             };
+            let is_followed = |coordinate: usize| {
+                let uses = self.nodes.iter().filter(|node| node.is_kept && node.coordinates().contains(&coordinate));
+                uses.count() > 1
+            };
             let joined = match *motion {
                 NodeMotion::Turn { coordinate, axis, slope, constant }
-                    if (slope - 1.0).abs() <= ROUNDING && constant == 0.0 =>
+                    if (slope - 1.0).abs() <= ROUNDING && constant == 0.0 && !is_followed(coordinate) =>
                 {
                     let [first, second] = [(axis + 1) % 3, (axis + 2) % 3];
                     order(&[first, second]).map(|order| {

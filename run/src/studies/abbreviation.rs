@@ -6,7 +6,7 @@
 
 use crate::code::{Code, CodePreparation, interpreted_code, interpreted_scene_code, interpreted_scene_code_as_derived};
 use crate::error::Error;
-use crate::integration_options::{equally_spaced_instants, integration_options};
+use crate::integration_options::integration_options;
 use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
 use crate::preparation::reduced_equations::ReducedScene;
@@ -23,14 +23,19 @@ use tripos_derive::{Equations, Formulation, Model};
 use tripos_sim::Method;
 use tripos_traits::AbsoluteTolerance;
 
-/// Number of equal parts into which the span of the scene is divided. The runs are compared at their ends.
-const PARTS: u32 = 400;
+/// Number of parts into which the span of the scene is divided. The runs are compared at one instant of each part.
+const PARTS: u32 = 1000;
+/// Smallest bound: below it, rounding would decide.
+const SMALLEST_BOUND: f64 = 1e-10;
+/// Least number of instants at which two runs are compared.
+const LEAST_INSTANTS: usize = 10;
 /// Number of runs after which the search ends with the terms left out so far.
 const MOST_RUNS: usize = 120;
 /// Part of the bound that is allowed as relative error of the runs themselves.
 const RUN_ERROR: f64 = 1e-4;
-/// Size in SI units to which a shown quantity is compared if it stays smaller.
-const SMALLEST_SCALE: f64 = 1e-9;
+/// Part of the largest size of all shown quantities below which a quantity counts as zero, since it is made of
+/// rounding.
+const ZERO: f64 = 1e-13;
 
 /// Abbreviated equations of a scene, with the terms left out and the measured differences.
 pub struct Abbreviation {
@@ -50,8 +55,14 @@ pub struct Abbreviation {
     pub whole_cost: OperationCount,
     /// Operations of the mass matrix and the forcing of the abbreviated equations.
     pub cost: OperationCount,
+    /// Constants of the motion and products of parameters that reduced equations contain, each with its value in SI
+    /// units. Empty for Kane's equations.
+    pub constants: Vec<(String, f64)>,
     /// Number of runs that the search made.
     pub runs: usize,
+    /// True if the search tried all terms. False if it ended after its largest number of runs: more terms may then be
+    /// left out within the bound.
+    pub is_complete: bool,
     /// Instant at which the compared runs end, s.
     pub end: f64,
 }
@@ -64,7 +75,7 @@ pub struct DroppedTerm {
     /// Sum to which the summand belonged, as text.
     pub sum: String,
     /// Largest estimated change of an acceleration if this term alone is left out, as a part of the acceleration's
-    /// largest size in the run.
+    /// largest size in the run. Infinite if the acceleration is zero in the whole run.
     pub effect: f64,
 }
 
@@ -75,28 +86,29 @@ pub struct Difference {
     pub name: String,
     /// Largest difference over the run, in SI units.
     pub largest: f64,
-    /// Largest size of the quantity in the run of the whole equations, in SI units.
+    /// Largest size of the quantity in the run of the whole equations, in SI units, but at least 1e-13 of the largest
+    /// size of all shown quantities.
     pub scale: f64,
 }
 
 impl Difference {
-    /// Largest difference as a part of the quantity's largest size.
+    /// Largest difference as a part of the quantity's largest size. It is 0 if all shown quantities are zero.
     #[must_use]
     pub fn relative(&self) -> f64 {
-        self.largest / self.scale.max(SMALLEST_SCALE)
+        if self.largest == 0.0 { 0.0 } else { self.largest / self.scale }
     }
 }
 
-/// Leaves out the terms of a scene's equations that change no shown quantity by more than the part `within` of its
+/// Leaves out terms of a scene's equations as long as no shown quantity changes by more than the part `within` of its
 /// largest size in the run. The shown quantities are the scene's outputs, or all coordinates and speeds if the scene
 /// names none.
 ///
 /// # Errors
-/// [`Error::Request`] if `within` is not between 0 and 1, or if the scene has impacts. [`Error::Stopped`] if the run of
-/// the whole equations fails. [`Error`] if the model cannot be derived.
+/// [`Error::Request`] if `within` is not between 1e-10 and 1, or if the scene has impacts. [`Error::Stopped`] if the
+/// run of the whole equations fails. [`Error`] if the model cannot be derived.
 pub fn abbreviate(mechanism: &Mechanism, scene: &Scene, within: f64) -> Result<Abbreviation, Error> {
-    if !(within > 0.0 && within < 1.0) {
-        let what = format!("the bound {within} is not between 0 and 1");
+    if !(SMALLEST_BOUND..1.0).contains(&within) {
+        let what = format!("the bound {within} is not between {SMALLEST_BOUND:e} and 1");
         return Err(Error::request(what, "state a part of each shown quantity, such as --within 1e-3"));
     }
     if !scene.impacts.is_empty() {
@@ -104,17 +116,24 @@ pub fn abbreviate(mechanism: &Mechanism, scene: &Scene, within: f64) -> Result<A
         return Err(Error::request("the equations of a scene with contacts are not abbreviated", help));
     }
     mechanism.require_speeds("no equation is left to abbreviate")?;
-    let scene = scene_for_comparison(scene, within);
-    let base = BaseEquations::new(mechanism, &scene)?;
+    let mut scene = scene_for_comparison(scene);
+    let mut base = BaseEquations::new(mechanism, &scene)?;
     let mut derivation = base.derivation().clone();
     let parameters = base.model().p();
     let terms = SumTerms::new(&mut derivation.arena, &derivation.equations, &parameters).map_err(|unknown| {
         let what = format!("the equations mention `{}`, which has no value during a run", unknown.0);
         Error::request(what, "abbreviate a scene of derived equations")
     })?;
+    // A first run gives the sizes of the states, from which the tolerances of all other runs follow.
+    let first = base.run(mechanism, &scene, &derivation)?;
+    base.tighten_tolerances(&mut scene, &first, RUN_ERROR * within);
     let whole = base.run(mechanism, &scene, &derivation)?;
     if let Some(why) = &whole.failure {
         return Err(Error::Stopped(format!("the run of the whole equations does not reach its end: {why}")));
+    }
+    if whole.instants.len() < LEAST_INSTANTS {
+        let what = format!("the run of the whole equations ends at t = {} s: too early for a comparison", whole.end);
+        return Err(Error::Stopped(what));
     }
     let effects = largest_effects(&terms, &derivation, &base, &scene, &whole)?;
     let mut search = Search {
@@ -127,7 +146,8 @@ pub fn abbreviate(mechanism: &Mechanism, scene: &Scene, within: f64) -> Result<A
         within,
         dropped: FxHashSet::default(),
         kept: None,
-        runs: 1,
+        runs: 2,
+        is_complete: true,
     };
     let mut order: Vec<usize> = (0..effects.len()).collect();
     order.sort_by(|a, b| effects[*a].total_cmp(&effects[*b]));
@@ -135,17 +155,12 @@ pub fn abbreviate(mechanism: &Mechanism, scene: &Scene, within: f64) -> Result<A
     Ok(search.finish(&order, &effects))
 }
 
-/// The scene with the settings of the comparison: tight tolerances and equally spaced instants.
-fn scene_for_comparison(scene: &Scene, within: f64) -> Scene {
+/// The scene with the method and the instants of the comparison. The instants are uneven, so that no period hides
+/// between them.
+fn scene_for_comparison(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
+    let (start, end) = scene.span;
     let how = &mut scene.integration;
-    let rtol = how.rtol.min(RUN_ERROR * within);
-    let scale = rtol / how.rtol;
-    how.atol = match &how.atol {
-        AbsoluteTolerance::Uniform(atol) => AbsoluteTolerance::Uniform(atol * scale),
-        AbsoluteTolerance::Each(each) => AbsoluteTolerance::Each(each.iter().map(|atol| atol * scale).collect()),
-    };
-    how.rtol = rtol;
     how.method = match how.method.method() {
         Some(method) if method.needs_jacobian() => how.method,
         _ => Integrator::Steps(Method::Dop853),
@@ -154,7 +169,10 @@ fn scene_for_comparison(scene: &Scene, within: f64) -> Scene {
     how.solve = None;
     how.project = None;
     how.distance = None;
-    how.instants = equally_spaced_instants(scene.span, PARTS);
+    // Fractional parts of multiples of the golden ratio have no period.
+    let golden = f64::midpoint(1.0, 5.0_f64.sqrt());
+    let part = |at: u32| (f64::from(at) + (f64::from(at) * golden).fract()) / f64::from(PARTS);
+    how.instants = (0..PARTS).map(|at| start + (end - start) * part(at)).chain([end]).collect();
     scene
 }
 
@@ -193,6 +211,29 @@ impl BaseEquations {
         }
         let derivation = mechanism.derive(Formulation::Kane)?;
         Ok(Self::Whole(Box::new((mechanism.model.clone(), derivation, EquationsOrigin::from(Formulation::Kane)))))
+    }
+
+    /// Sets the tolerances of all further runs to a part of the sizes of the states in a first run.
+    fn tighten_tolerances(&mut self, scene: &mut Scene, first: &Samples, part: f64) {
+        let count = first.states.first().map_or(0, Vec::len);
+        let size = |at: usize| first.states.iter().map(|y| y[at].abs()).fold(0.0, f64::max);
+        let sizes: Vec<f64> = (0..count).map(size).collect();
+        let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let each = sizes.iter().map(|size| part * if *size > 0.0 { *size } else { largest }).collect();
+        let how = match self {
+            Self::Reduced(reduced) => &mut reduced.scene.integration,
+            Self::Whole(_) => &mut scene.integration,
+        };
+        how.atol = AbsoluteTolerance::Each(each);
+        how.rtol = if how.rtol > 0.0 { how.rtol.min(part) } else { part };
+    }
+
+    /// Constants of the motion and products of parameters in reduced equations, with their values.
+    fn constants(&self) -> Vec<(String, f64)> {
+        match self {
+            Self::Reduced(reduced) => reduced.constants().map(|(q, value)| (q.name.clone(), value)).collect(),
+            Self::Whole(_) => Vec::new(),
+        }
     }
 
     /// Equations of motion with their arena.
@@ -247,8 +288,10 @@ impl BaseEquations {
                 let code: Code = interpreted_code(mechanism, &whole.2, derivation, ready)?;
                 let problem = Problem::new(mechanism, scene, &whole.2, &code, Some(solution_of(is_implicit)))?;
                 let shown = ShownQuantities::new(mechanism, scene)?;
-                let is_wanted =
-                    |name: &String| scene.outputs.is_empty() || scene.outputs.iter().any(|o| o.name == *name);
+                let time = mechanism.time().map(|at| &mechanism.coordinates[at].name);
+                let is_wanted = |name: &String| {
+                    time != Some(name) && (scene.outputs.is_empty() || scene.outputs.iter().any(|o| o.name == *name))
+                };
                 let wanted: Vec<usize> = (0..shown.names.len()).filter(|at| is_wanted(&shown.names[*at])).collect();
                 let names = wanted.iter().map(|at| shown.names[*at].clone()).collect();
                 samples_of(&problem, names, &|t, y| {
@@ -343,6 +386,8 @@ struct Search<'a> {
     kept: Option<(Equations, Vec<Difference>)>,
     /// Number of runs so far.
     runs: usize,
+    /// False if the search ended before all terms were tried.
+    is_complete: bool,
 }
 
 impl Search<'_> {
@@ -351,8 +396,12 @@ impl Search<'_> {
     fn drop_in_order(&mut self, order: &[usize]) -> Result<(), Error> {
         let mut waiting = vec![order];
         while let Some(group) = waiting.pop() {
-            if group.is_empty() || self.runs >= MOST_RUNS {
+            if group.is_empty() {
                 continue;
+            }
+            if self.runs >= MOST_RUNS {
+                self.is_complete = false;
+                break;
             }
             if !self.try_group(group)? && group.len() > 1 {
                 let (first, rest) = group.split_at(group.len() / 2);
@@ -373,8 +422,9 @@ impl Search<'_> {
         self.runs += 1;
         let run = match self.base.run(self.mechanism, self.scene, &trial) {
             Ok(run) if run.failure.is_none() => run,
-            // Equations without these terms may be singular or run away.
-            Ok(_) | Err(Error::Stopped(_)) => return Ok(false),
+            // Equations without these terms may be singular, which eliminated accelerations refuse, or run away. The
+            // whole equations ran, so the request itself has no error.
+            Ok(_) | Err(Error::Stopped(_) | Error::Request { .. }) => return Ok(false),
             Err(error) => return Err(error),
         };
         let span = (self.scene.span.1 - self.scene.span.0).abs();
@@ -393,18 +443,12 @@ impl Search<'_> {
         let model = self.base.model();
         let arena = self.derivation.arena;
         let whole_cost = linear_system_cost(model, self.base.derivation());
-        let none = || {
-            let names = self.whole.names.iter().enumerate();
-            let scale = |at: usize| self.whole.values.iter().map(|row| row[at].abs()).fold(0.0, f64::max);
-            let differences =
-                names.map(|(at, name)| Difference { name: name.clone(), largest: 0.0, scale: scale(at) }).collect();
-            (self.base.derivation().equations.clone(), differences)
-        };
+        let none = || (self.base.derivation().equations.clone(), differences_of(&self.whole, &self.whole));
         let (equations, differences) = self.kept.unwrap_or_else(none);
+        let mut scratch = arena.clone();
         let listed = order.iter().rev().filter(|at| self.dropped.contains(&self.terms.list()[**at]));
         let dropped = listed.map(|at| {
             let term = self.terms.list()[*at];
-            let mut scratch = arena.clone();
             let (inner, factor) = summand(&scratch, term);
             let whole = scratch.scale(inner, &factor);
             DroppedTerm { term: print_text(&scratch, whole), sum: print_text(&scratch, term.sum), effect: effects[*at] }
@@ -420,7 +464,9 @@ impl Search<'_> {
             differences,
             whole_cost,
             cost,
+            constants: self.base.constants(),
             runs: self.runs,
+            is_complete: self.is_complete,
             end: self.whole.end,
             derivation,
         }
@@ -431,11 +477,12 @@ impl Search<'_> {
 fn differences_of(whole: &Samples, other: &Samples) -> Vec<Difference> {
     // The last sample of a run that an event ends is at the instant of the event.
     let both = whole.instants.iter().zip(&other.instants).take_while(|(a, b)| a.to_bits() == b.to_bits()).count();
+    let size = |at: usize| whole.values.iter().map(|row| row[at].abs()).fold(0.0, f64::max);
+    let zero = ZERO * (0..whole.names.len()).map(size).fold(0.0, f64::max);
     let of = |(at, name): (usize, &String)| {
         let pairs = whole.values[..both].iter().zip(&other.values);
         let largest = pairs.map(|(a, b)| (a[at] - b[at]).abs()).fold(0.0, f64::max);
-        let scale = whole.values.iter().map(|row| row[at].abs()).fold(0.0, f64::max);
-        Difference { name: name.clone(), largest, scale }
+        Difference { name: name.clone(), largest, scale: size(at).max(zero) }
     };
     whole.names.iter().enumerate().map(of).collect()
 }

@@ -1,4 +1,4 @@
-//! Search for the motion that tells base parameters best.
+//! Search for the motion that determines base parameters best.
 
 use super::candidate::{CandidateSpace, TOO_LARGE};
 use super::evolution_strategy::{BestPoint, RandomNumbers, minimize};
@@ -34,8 +34,8 @@ const REDUCTION: f64 = 1e-6;
 ///
 /// # Errors
 /// [`Error::Request`] if the mechanism has loops or other constraints, or speeds that are no rates of coordinates; if a
-/// limit or an option is wrong; or if no motion within the limits tells a base parameter. [`Error::Stopped`] if the
-/// regressor has no value within the limits. [`Error::Interrupted`] if the observer of the model ends the search.
+/// limit or an option is wrong; or if no motion within the limits determines a base parameter. [`Error::Stopped`] if
+/// the regressor has no value within the limits. [`Error::Interrupted`] if the observer of the model ends the search.
 pub fn design_excitation(
     model: &Mechanism,
     found: &Identification,
@@ -66,7 +66,7 @@ pub fn design_excitation(
 fn check_options(options: &ExcitationOptions) -> Result<(), Error> {
     let ExcitationOptions { period, harmonics, samples, starts, .. } = *options;
     if !(period.is_finite() && period > 0.0) {
-        return Err(Error::request(format!("a period of {period} s is none"), "give a period above 0 s"));
+        return Err(Error::request(format!("the period {period} s is not above 0"), "give a period above 0 s"));
     }
     let least = if options.is_at_rest { 2 } else { 1 };
     if !(least..=50).contains(&harmonics) {
@@ -75,8 +75,8 @@ fn check_options(options: &ExcitationOptions) -> Result<(), Error> {
         return Err(Error::request(format!("{harmonics} harmonics are not possible"), help));
     }
     if !(2 * harmonics + 2..=10_000).contains(&samples) {
-        let help = format!("give from {} to 10000 samples for {harmonics} harmonics", 2 * harmonics + 2);
-        return Err(Error::request(format!("{samples} samples do not show the motion"), help));
+        let help = format!("give from {} to 10000 samples", 2 * harmonics + 2);
+        return Err(Error::request(format!("{samples} samples are not possible for {harmonics} harmonics"), help));
     }
     if !(1..=1000).contains(&starts) {
         return Err(Error::request(format!("{starts} searches are not possible"), "give from 1 to 1000 starts"));
@@ -180,7 +180,7 @@ impl<'a> Design<'a> {
         let starts = start_conditions(model, &limits, options)?;
         let (columns, rows) = (found.base.len(), options.samples * model.speeds.len());
         if rows < columns {
-            let what = format!("{rows} measured forces cannot tell {columns} base parameters");
+            let what = format!("{rows} measured forces cannot determine {columns} base parameters");
             let help = format!("give at least {} samples", columns.div_ceil(model.speeds.len()));
             return Err(Error::request(what, help));
         }
@@ -257,7 +257,7 @@ impl<'a> Design<'a> {
         let counted = independent_columns(&whole);
         if counted.is_empty() {
             let help = "give at least one coordinate limits that let it move";
-            return Err(Error::request("no motion within the limits tells a base parameter", help));
+            return Err(Error::request("no motion within the limits determines a base parameter", help));
         }
         Ok(counted)
     }

@@ -6,7 +6,7 @@ use crate::fit::uncertainty::{Uncertainty, uncertainty_of_jacobian};
 use nalgebra::{DMatrix, DVector};
 use tripos_linear::singular_values;
 
-/// Fraction of the largest effect below which a combination of base parameters counts as untold.
+/// Fraction of the largest effect below which a combination of base parameters counts as undetermined.
 const TINY: f64 = 1e-8;
 /// Pivot of the scaled information matrix below which its determinant counts as zero.
 const SINGULAR: f64 = 1e-14;

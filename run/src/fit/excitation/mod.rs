@@ -3,8 +3,8 @@
 //! Each coordinate is a finite Fourier series (J. Swevers, C. Ganseman, D. B. Tükel, J. De Schutter & H. Van Brussel,
 //! "Optimal robot excitation and identification", IEEE Trans. Robotics and Automation 13 (1997) 730–740). A search
 //! maximizes the determinant of the information matrix Wᵀ Σ⁻¹ W, with the regressor W of the base parameters and the
-//! covariance Σ of the forces. Limits hold at every instant, since a bound of each series is known
-//! ([`FourierSeries::bounds`]).
+//! covariance Σ of the forces. Limits of single quantities hold at every instant, since a
+//! bound of each series is known ([`FourierSeries::bounds`]). Other conditions of the domain hold on a fine grid.
 
 mod candidate;
 mod design;
@@ -86,7 +86,7 @@ pub struct Extremes {
     pub high: Option<f64>,
 }
 
-/// Motion that tells the base parameters of a mechanism well.
+/// Motion that determines the base parameters of a mechanism well.
 #[derive(Clone, Debug)]
 pub struct Excitation {
     /// Series of each coordinate, in the order of the model.
