@@ -1,4 +1,4 @@
-//! Motions that tell base parameters: limits, information, and what no motion tells.
+//! Motions for identification: limits, information, and combinations that no motion determines.
 //!
 //! Truth: formulas of the series in this file, random motions within the limits, and numbers by NumPy from a regressor
 //! that is written by hand (tests/data/excite/reference.py).
@@ -355,7 +355,7 @@ fn models_without_a_free_motion_are_refused() {
         limits: vec![limit("q1", 0.3, 0.3), limit("q2", 0.1, 0.1)],
         ..ExcitationOptions::default()
     };
-    assert!(refused(&arm(), &held).contains("no motion within the limits tells a base parameter"));
+    assert!(refused(&arm(), &held).contains("no motion within the limits determines a base parameter"));
     let text = std::fs::read_to_string(file("fit/arm.toml")).unwrap() + "[domain]\nfar = \"q1^2 + q2^2 > 9\"\n";
     let near = ExcitationOptions { limits: limits_of_arm(), starts: 1, ..ExcitationOptions::default() };
     assert!(refused(&mechanism(&text), &near).contains("keeps the conditions of the domain: `far`"));
