@@ -50,6 +50,7 @@ mod named_files;
 mod near_points;
 mod notations;
 mod oblique_axes;
+mod platforms;
 mod potentials;
 mod printed_forms;
 mod printed_symbols;

@@ -3,6 +3,7 @@
 
 mod components;
 mod dot_product_sums;
+mod frame_transport;
 mod frames;
 mod motion;
 mod rotation;
@@ -11,6 +12,7 @@ mod vector;
 pub(crate) use components::transposed;
 pub use components::{Components, apply_tensor, cross_components};
 pub use dot_product_sums::{Dots, SymmetricDots};
+pub use frame_transport::{name_transported_components, rotate_and_name_components};
 pub use frames::Frames;
 pub use motion::{Motion, angular_velocities, linear_velocities};
 pub use rotation::{Oriented, Turn, TurnSense};

@@ -200,6 +200,9 @@ pub struct KinematicEquations {
     /// Divisors of the solution for q̇. In a pose in which a divisor is zero, the generalized speeds do not determine
     /// q̇.
     pub divisors: Vec<Expr>,
+    /// True if each joint gives the rates of its coordinates from its own speeds, and closed loops determine some of
+    /// these speeds from the generalized speeds. The rates then contain the dependent speeds as named terms.
+    pub has_dependent_speeds: bool,
 }
 
 /// Redundant equation of rolling or of a joint: it follows from other constraints, so it restricts no further

@@ -8,8 +8,9 @@ use super::bodies::input_signals::InputSignals;
 use super::bodies::joints::Joints;
 use super::bodies::mechanism_motion::MechanismMotion;
 use super::constraints::configuration_constraints::{
-    SolvedConfiguration, StatedConstraint, solve_configuration_constraints,
+    Closure, SolvedConfiguration, StatedConstraint, solve_configuration_constraints,
 };
+use super::constraints::loop_closures::LoopMechanism;
 use super::constraints::motion_constraints::{ConstraintParts, MotionConstraints};
 use super::constraints::openings::joint_opening_motions;
 use super::impossible_bodies::default_parameter_values;
@@ -181,6 +182,8 @@ struct Connections {
     slips: Vec<(StatedConstraint, SlipComponent)>,
     /// Reactions of joints that close loops, each for one equation of a joint.
     holding: Vec<JointReaction>,
+    /// Equations of joints that close loops, as components of vectors.
+    closures: Vec<Closure>,
     /// True if all connections were read without errors.
     is_known: bool,
 }
@@ -211,7 +214,7 @@ impl<'a> Loading<'a> {
         let mut elements = Elements::read(self, table, &joints, &reactions);
         let shapes = self.shapes(table, &elements, &parameters);
         let before_constraints = self.reader.errors.len();
-        let Connections { velocities, values, configuration, motion, slips, holding, is_known } =
+        let Connections { velocities, values, configuration, motion, slips, holding, mut closures, is_known } =
             self.connections(table, &mut elements, &coordinates, &joints);
         let SolvedConfiguration {
             constraints,
@@ -228,6 +231,7 @@ impl<'a> Loading<'a> {
             &mut coordinates,
             &elements.potentials,
             configuration,
+            &closures,
             &default_parameter_values(&parameters),
         );
         self.report_undefined(undefined);
@@ -241,6 +245,9 @@ impl<'a> Loading<'a> {
         let mut fixed = Substitution::new(&replacements);
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         elements.check_elements(self, &parameters);
+        for closure in &mut closures {
+            closure.vector = closure.vector.substitute(&mut self.arena, &mut fixed);
+        }
         let mut fix = |constraint: StatedConstraint| constraint.substitute(&mut self.arena, &mut fixed);
         let [kept, stated]: [Vec<_>; 2] = [kept, motion].map(|list| list.into_iter().map(&mut fix).collect());
         let tied = ConstraintParts {
@@ -280,8 +287,19 @@ impl<'a> Loading<'a> {
             let poses = coordinates.iter().map(|c| c.symbol).zip(branch.pose.iter().copied());
             PivotValues::new(default_parameter_values(&parameters).into_iter().chain(poses))
         });
-        let kinematic_equations =
-            tied.and_then(|ties| self.kinematic_equations(table, &coordinates, &speeds, &ties.motion, point.as_ref()));
+        let kinematic_equations = tied.and_then(|ties| {
+            let loops = LoopMechanism {
+                coordinates: &coordinates,
+                elements: &elements,
+                speeds: speeds.iter().map(|(speed, _)| speed).collect(),
+                dependent: &left_out,
+                constraints: ties,
+                closures: &closures,
+                point: point.as_ref(),
+            };
+            self.rates_of_long_loops(&loops)
+                .or_else(|| self.kinematic_equations(table, &coordinates, &speeds, &ties.motion, point.as_ref()))
+        });
         self.replace_in_conditions(&mut fixed, &mut domain, &mut signals);
         let expressions = self.named_expressions_with(&mut fixed);
         let MotionConstraints { motion, loops, repeated, closed, dependent, branch, .. } =
@@ -453,6 +471,7 @@ impl<'a> Loading<'a> {
         // After an error in frames or points, velocities are not computed.
         let is_known = !needs_motion || self.reader.errors.is_empty();
         let (mut slips, mut holding, mut values) = (Vec::new(), Vec::new(), Vec::new());
+        let mut closures = Vec::new();
         if !is_known {
             stated.clear();
         } else if needs_motion {
@@ -467,9 +486,9 @@ impl<'a> Loading<'a> {
                 constraint.equation = put.apply(&mut self.arena, constraint.equation);
             }
             elements.potentials = self.potentials_with_positions(&mut put, potentials);
-            let (closed, holds) = self.closing_joint_equations(&mut moving, &closings);
-            stated.extend(closed);
-            holding = holds;
+            let closing = self.closing_joint_equations(&mut moving, &closings);
+            stated.extend(closing.equations);
+            (holding, closures) = (closing.reactions, closing.closures);
             elements.forces.extend(forces);
             self.friction_loads(&mut moving, elements, friction);
         }
@@ -480,7 +499,7 @@ impl<'a> Loading<'a> {
         }
         elements.contacts.compared = compared;
         let (configuration, motion) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
-        Connections { velocities, values, configuration, motion, slips, holding, is_known }
+        Connections { velocities, values, configuration, motion, slips, holding, closures, is_known }
     }
 
     /// True if an equation contains no rates and no speeds, so that it restricts the configuration and not

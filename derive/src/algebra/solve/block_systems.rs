@@ -9,7 +9,9 @@
 //! and it shares subexpressions.
 
 use super::linear::{Singular, solve_linear_near};
+use super::minors::Minors;
 use super::pivot_values::PivotValues;
+use super::sparse_block::SparseBlock;
 use super::system_labels::{BlockLabels, SystemLabels};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::value::range::range_excludes_zero;
@@ -17,7 +19,6 @@ use crate::algebra::value::rank::rank;
 use crate::algebra::{Arena, Expr};
 use petgraph::algo::{maximum_matching, tarjan_scc};
 use petgraph::graph::{DiGraph, UnGraph};
-use rustc_hash::FxHashMap;
 
 /// Largest number of rows of a block that is solved by cofactors without elimination.
 const LARGEST: usize = 4;
@@ -59,11 +60,17 @@ pub fn solve_blocks(
         let names = names.as_ref();
         let (solution, by) = if rows.len() <= LARGEST && rows.len() == columns.len() {
             solve_block_by_cofactors(arena, simplifier, &block, &right, names)
+        } else if let Some(names) = names.filter(|names| names.of_whole_unknowns()) {
+            SparseBlock::new(&block, &right, names, point).solve(arena, simplifier)?
         } else {
             solve_large_block(arena, simplifier, &block, &right, point, names)?
         };
         let solution = match names {
             Some(names) => names.name_unknowns(arena, simplifier, &solution),
+            None => solution,
+        };
+        let solution = match labels {
+            Some(labels) => labels.name_whole_unknowns(arena, &columns, solution),
             None => solution,
         };
         for (column, value) in columns.iter().zip(solution) {
@@ -276,7 +283,7 @@ fn solve_block_by_cofactors(
 ) -> (Vec<Expr>, Vec<Expr>) {
     let n = a.len();
     let all: Vec<usize> = (0..n).collect();
-    let mut minors = BlockMinors { a, known: FxHashMap::default(), labels };
+    let mut minors = Minors::new(a, labels.map(|labels| (labels, all.as_slice())));
     let determinant = minors.minor(arena, simplifier, &all, &all);
     let mut x = Vec::with_capacity(n);
     for column in 0..n {
@@ -296,41 +303,4 @@ fn solve_block_by_cofactors(
         x.push(simplifier.simplify(arena, sum));
     }
     (x, vec![determinant])
-}
-
-/// Minors (determinants of submatrices) of a matrix; each is computed once.
-struct BlockMinors<'a> {
-    /// Matrix whose minors are computed, by rows.
-    a: &'a [Vec<Expr>],
-    /// Minors computed so far, by their rows and columns.
-    known: FxHashMap<(Vec<usize>, Vec<usize>), Expr>,
-    /// Names for long minors; `None` if minors stay without names.
-    labels: Option<&'a BlockLabels<'a>>,
-}
-
-impl BlockMinors<'_> {
-    /// Determinant of the submatrix of the given rows and columns, by expansion along the first
-    /// row.
-    fn minor(&mut self, arena: &mut Arena, simplifier: &mut Simplifier, rows: &[usize], columns: &[usize]) -> Expr {
-        let Some((first, rest)) = rows.split_first() else { return Expr::ONE };
-        if let Some(known) = self.known.get(&(rows.to_vec(), columns.to_vec())) {
-            return *known;
-        }
-        let mut terms = Vec::new();
-        for (at, column) in columns.iter().enumerate() {
-            let entry = self.a[*first][*column];
-            if entry == Expr::ZERO {
-                continue;
-            }
-            let others: Vec<usize> = columns.iter().copied().filter(|c| c != column).collect();
-            let below = self.minor(arena, simplifier, rest, &others);
-            let product = arena.mul(entry, below);
-            terms.push(if at % 2 == 0 { product } else { arena.neg(product) });
-        }
-        let sum = arena.sum(&terms);
-        let determinant = simplifier.simplify(arena, sum);
-        let determinant = self.labels.map_or(determinant, |labels| labels.name_minor(arena, determinant, rows));
-        self.known.insert((rows.to_vec(), columns.to_vec()), determinant);
-        determinant
-    }
 }

@@ -22,7 +22,7 @@ pub struct SystemLabels {
     pub rows: Vec<String>,
     /// Name of each unknown.
     pub unknowns: Vec<String>,
-    /// Symbols in which b is linear, each with its name.
+    /// Symbols in which b is linear, each with its name. If empty, each unknown gets its own name as a whole.
     pub symbols: Vec<(Expr, String)>,
 }
 
@@ -38,6 +38,14 @@ pub struct BlockLabels<'a> {
 }
 
 impl SystemLabels {
+    /// The unknowns with the given columns, each named as a whole. Unchanged if coefficients of symbols get names.
+    pub fn name_whole_unknowns(&self, arena: &mut Arena, columns: &[usize], unknowns: Vec<Expr>) -> Vec<Expr> {
+        if !self.symbols.is_empty() {
+            return unknowns;
+        }
+        unknowns.into_iter().zip(columns).map(|(e, column)| arena.name(e, &self.unknowns[*column])).collect()
+    }
+
     /// Labels of the block with the given rows and columns. `None` if the block is so short that it needs no names.
     pub fn of_long_block<'a>(
         &'a self,
@@ -48,11 +56,21 @@ impl SystemLabels {
     ) -> Option<BlockLabels<'a>> {
         let length: usize =
             block.iter().flatten().map(|e| length_up_to_names(arena, *e)).fold(0, usize::saturating_add);
-        (length > LONG_BLOCK).then_some(BlockLabels { of: self, rows, columns })
+        (length > LONG_BLOCK || self.symbols.is_empty()).then_some(BlockLabels { of: self, rows, columns })
     }
 }
 
 impl BlockLabels<'_> {
+    /// True if each unknown gets its own name as a whole.
+    pub fn of_whole_unknowns(&self) -> bool {
+        self.of.symbols.is_empty()
+    }
+
+    /// The value `e` of the block's unknown with the index `column`, with the name of the unknown.
+    pub fn name_unknown(&self, arena: &mut Arena, column: usize, e: Expr) -> Expr {
+        arena.name(e, &self.of.unknowns[self.columns[column]])
+    }
+
     /// Names the long entries of the block's matrix, and the long coefficients of its right-hand side.
     pub fn name_entries(
         &self,

@@ -33,7 +33,9 @@ pub fn derive_kane(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, D
         let mut moving = kinematic_rates(model);
         let along = kinematics.forces_of_velocity_pairs(model, &velocities, &loads, &fall, &mut moving);
         let required = along.into_iter().map(|e| kinematics.arena.neg(e)).collect();
-        let gauss = kinematics.gauss_function_along_tree(model, &velocities, &loads);
+        // The accelerations of dependent speeds are not linear in few names, which a recursion would need.
+        let is_tree = !model.kinematic_equations.has_dependent_speeds;
+        let gauss = is_tree.then(|| kinematics.gauss_function_along_tree(model, &velocities, &loads));
         let momenta = kinematics.momentum_pairs(model, &velocities);
         return Ok(Rows {
             names: (0..model.speeds.len()).map(RowName::Speed).collect(),
@@ -42,7 +44,7 @@ pub fn derive_kane(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, D
             projection: Vec::new(),
             embedding: None,
             required: Some(required),
-            gauss: Some(gauss),
+            gauss,
             kinetic_energy: kinematics.kinetic_energy_of_momentum_pairs(&momenta),
         });
     }

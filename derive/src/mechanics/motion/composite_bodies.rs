@@ -10,12 +10,12 @@
 //! The work grows with the square of the depth (R. Featherstone, *Rigid Body Dynamics Algorithms* (2008), §6.2; M. W.
 //! Walker & D. E. Orin, ASME J. Dyn. Sys. Meas. Control 104 (1982) 205–211).
 
-use super::frame_transport::{name_transported_components, rotate_and_name_components};
 use super::kinematics::{Kinematics, Velocities};
 use super::placed_inertia::PlacedInertia;
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::geometry::{Components, Placement, Turn, TurnSense, cross_components, transposed};
+use crate::geometry::{name_transported_components, rotate_and_name_components};
 use crate::model::Model;
 
 /// Components of the zero vector.

@@ -4,7 +4,7 @@
 //! moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
 
 use super::equation_form::EquationForm;
-use super::frame_transport::name_transported_components;
+use crate::geometry::name_transported_components;
 use crate::mechanics::derivation_limits::check_link_limit;
 use crate::mechanics::derive_error::DeriveError;
 

@@ -3,7 +3,6 @@
 pub(super) mod composite_bodies;
 pub(super) mod energy;
 pub(super) mod equation_form;
-pub(super) mod frame_transport;
 pub(super) mod inertial_anchor;
 pub(super) mod inertial_parameter;
 pub(super) mod kinematics;

@@ -7,7 +7,6 @@
 //! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.4, 1.5, 2.7; T. R. Kane & D. A.
 //! Levinson, *Dynamics: Theory and Applications* (1985), § 5.1.
 
-use super::frame_transport::name_transported_components;
 use super::kinematics::{Kinematics, LoadPotential, MotionVariables, rates_to_speeds};
 use super::loads::{Load, generalized_forces_of_loads};
 use crate::algebra::form::simplify::Simplifier;
@@ -15,6 +14,7 @@ use crate::algebra::solve::antiderivative::antiderivative;
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node};
+use crate::geometry::name_transported_components;
 use crate::geometry::{Dots, Vector};
 use crate::mechanics::derive_error::DeriveError;
 use crate::model::Model;

@@ -234,12 +234,25 @@ impl ClosedPoses {
     /// Smallest singular value of the given rows over all closed poses, a measure of their independence. It is 0 if a
     /// derivative in one of the poses is not finite.
     fn smallest_singular_value(&self, rows: &[usize]) -> f64 {
+        self.smallest_singular_value_above(rows, 0.0)
+    }
+
+    /// Smallest singular value of the given rows over all closed poses, as far as it is above `needed`. As soon as one
+    /// pose has a value of at most `needed`, this value is returned.
+    fn smallest_singular_value_above(&self, rows: &[usize], needed: f64) -> f64 {
         // With a derivative that is not finite, every choice of rows gets 0, so that no choice is preferred.
         let value = |pose: &DMatrix<f64>| {
             let part = pose.select_rows(rows);
             if part.iter().all(|x| x.is_finite()) { singular_values(&part).min() } else { 0.0 }
         };
-        self.poses.iter().map(value).fold(f64::INFINITY, f64::min)
+        let mut least = f64::INFINITY;
+        for pose in &self.poses {
+            least = least.min(value(pose));
+            if least <= needed {
+                break;
+            }
+        }
+        least
     }
 
     /// Chooses the redundant row of each group of dependent rows. It is the row without which the remaining rows have
@@ -276,7 +289,8 @@ impl ClosedPoses {
             let mut best: Option<(usize, f64)> = None;
             for (place, row) in among.iter().enumerate() {
                 let rows: Vec<usize> = kept.iter().copied().chain([*row]).collect();
-                let least = self.smallest_singular_value(&rows);
+                let needed = best.map_or(0.0, |(_, most)| BETTER * most);
+                let least = self.smallest_singular_value_above(&rows, needed);
                 if best.is_none_or(|(_, most)| least > BETTER * most) {
                     best = Some((place, least));
                 }

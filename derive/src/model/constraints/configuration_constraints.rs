@@ -10,14 +10,17 @@
 
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::text::print::length_up_to_names;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Node};
+use crate::geometry::Vector;
 use crate::model::bodies::elements::Elements;
 use crate::model::impossible_bodies::values_of_terms_at;
 use crate::model::reading::declared_names::{MOTION, NameKind, TIME};
 use crate::model::reading::loading::Loading;
 use crate::model::{Constraint, Coordinate, Potential};
 use crate::toml_reader::TomlReader;
+use rustc_hash::FxHashSet;
 use std::ops::Range;
 use toml::de::DeTable;
 
@@ -40,6 +43,28 @@ impl StatedConstraint {
     /// The constraint with a substitution applied to its equation.
     pub fn substitute(self, arena: &mut Arena, put: &mut Substitution) -> Self {
         Self { equation: put.apply(arena, self.equation), ..self }
+    }
+}
+
+/// Component of a vector that a closing joint makes zero. It is the left side of an equation between coordinates.
+#[derive(Clone, Debug)]
+pub struct Closure {
+    /// Name of the joint that closes the loop.
+    pub joint: String,
+    /// Name of the equation.
+    pub name: String,
+    /// Vector between the two points of the joint, m, or unit vector along an axis of the joint.
+    pub vector: Vector,
+    /// Index of the frame along whose axis the component is taken.
+    pub frame: usize,
+    /// Axis of the frame: 0, 1 or 2.
+    pub axis: usize,
+}
+
+impl Closure {
+    /// True if both closures are components of one vector in one frame.
+    pub fn is_beside(&self, other: &Self) -> bool {
+        self.vector == other.vector && self.frame == other.frame
     }
 }
 
@@ -139,8 +164,10 @@ pub fn solve_configuration_constraints(
     coordinates: &mut Vec<Coordinate>,
     potentials: &[Potential],
     stated: Vec<StatedConstraint>,
+    closures: &[Closure],
     defaults: &[(Expr, f64)],
 ) -> SolvedConfiguration {
+    let long = names_of_long_closures(arena, &stated, closures);
     let (mut solved, mut kept, mut repeated) = (Vec::<Constraint>::new(), Vec::new(), Vec::new());
     let mut constant = Vec::new();
     let mut undefined = None;
@@ -196,7 +223,12 @@ pub fn solve_configuration_constraints(
         }
         let mut put = Substitution::new(&replacements);
         let energies: Vec<Expr> = potentials.iter().map(|potential| put.apply(arena, potential.energy)).collect();
-        let Some((at, solution)) = solve_configuration_constraint(arena, coordinates, &energies, equation) else {
+        let solved_for = if long.contains(&constraint.name) {
+            None
+        } else {
+            solve_configuration_constraint(arena, coordinates, &energies, equation)
+        };
+        let Some((at, solution)) = solved_for else {
             let named = every.iter().filter(|symbol| arena.mentions(constraint.equation, **symbol)).count();
             if named == 1 && !constraint.may_repeat {
                 prescribing.push(constraint.name.clone());
@@ -231,6 +263,23 @@ pub fn solve_configuration_constraints(
         });
     }
     SolvedConfiguration { constraints: solved, replacements, kept, constant, repeated, prescribing, opened, undefined }
+}
+
+/// Length of the equations of one closure above which they stay constraints, in printed nodes. Their solutions would
+/// occur in the position of every body beyond the joint.
+const LONG_CLOSURE: usize = 150;
+
+/// Names of the equations of long closures. The components of one vector are all long or all short.
+fn names_of_long_closures(arena: &Arena, stated: &[StatedConstraint], closures: &[Closure]) -> FxHashSet<String> {
+    let length = |closure: &Closure| {
+        let equation = stated.iter().find(|constraint| constraint.name == closure.name);
+        equation.map_or(0, |constraint| length_up_to_names(arena, constraint.equation))
+    };
+    let is_long = |closure: &&Closure| {
+        let beside = closures.iter().filter(|other| other.is_beside(closure));
+        beside.map(length).fold(0, usize::saturating_add) > LONG_CLOSURE
+    };
+    closures.iter().filter(is_long).map(|closure| closure.name.clone()).collect()
 }
 
 /// Relative gap up to which an equation without coordinates counts as fulfilled.

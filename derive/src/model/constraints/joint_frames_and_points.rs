@@ -1,6 +1,6 @@
 //! Frames and points that joints add to a model, and the equations of joints that close loops.
 
-use super::configuration_constraints::StatedConstraint;
+use super::configuration_constraints::{Closure, StatedConstraint};
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Expr, Rational};
 use crate::geometry::{Frame, Turn, Vector, cross_components};
@@ -321,8 +321,8 @@ impl<'a> Loading<'a> {
         &mut self,
         moving: &mut MechanismMotion,
         closings: &[ClosingJoint],
-    ) -> (Vec<StatedConstraint>, Vec<JointReaction>) {
-        let (mut list, mut holding) = (Vec::new(), Vec::new());
+    ) -> ClosingEquations {
+        let (mut list, mut holding, mut closures) = (Vec::new(), Vec::new(), Vec::new());
         for ClosingJoint { name, kind, axes, frames: [base, body], parts_at_ground, points: [on, at], bodies } in
             closings
         {
@@ -380,12 +380,27 @@ impl<'a> Loading<'a> {
                 let kind = ReactionKind::Force { on: ForcePlace { body: bodies.0, point: *at }, against };
                 let mut direction = [Expr::ZERO; 3];
                 direction[i] = Expr::ONE;
+                let vector = way.clone();
+                closures.push(Closure {
+                    joint: name.text.clone(),
+                    name: format!("{}_{}", name.text, i + 1),
+                    vector,
+                    frame,
+                    axis: i,
+                });
                 state(self, format!("{}", i + 1), equation, kind, (frame, direction));
             }
             for (of, along) in right {
                 let mut unit = [Expr::ZERO; 3];
                 unit[of] = Expr::ONE;
                 let axis = Vector::in_frame(*body, unit);
+                closures.push(Closure {
+                    joint: name.text.clone(),
+                    name: format!("{}_turn{}{}", name.text, of + 1, along + 1),
+                    vector: axis.clone(),
+                    frame: *base,
+                    axis: along,
+                });
                 let [x, y, z] = [0, 1, 2].map(|i| moving.component(&mut self.arena, &axis, *base, i));
                 // The cosine of two axes changes as the body rotates about their common normal.
                 let mut other = [Expr::ZERO; 3];
@@ -395,8 +410,18 @@ impl<'a> Loading<'a> {
                 state(self, format!("turn{}{}", of + 1, along + 1), [x, y, z][along], kind, (*base, direction));
             }
         }
-        (list, holding)
+        ClosingEquations { equations: list, reactions: holding, closures }
     }
+}
+
+/// Equations of the joints that close loops.
+pub struct ClosingEquations {
+    /// Equations between coordinates.
+    pub equations: Vec<StatedConstraint>,
+    /// Reactions that enforce the equations, one for each.
+    pub reactions: Vec<JointReaction>,
+    /// Left sides of the equations as components of vectors, one for each.
+    pub closures: Vec<Closure>,
 }
 
 /// Index of the last common ancestor of two frames in the tree of frames.

@@ -6,6 +6,7 @@ pub(super) mod comparison;
 pub(super) mod configuration_constraints;
 pub(super) mod independent_constraints;
 pub(super) mod joint_frames_and_points;
+pub(super) mod loop_closures;
 pub(super) mod motion_constraints;
 pub(super) mod openings;
 pub(super) mod redundant_constraints;

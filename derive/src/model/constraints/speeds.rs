@@ -220,7 +220,7 @@ impl<'a> Loading<'a> {
                 } else {
                     self.name_speed_coefficients(coordinates, speeds, &rates)
                 };
-                Some(KinematicEquations { rates, divisors })
+                Some(KinematicEquations { rates, divisors, has_dependent_speeds: false })
             }
             Err(singular) => {
                 // The constraints come first and are independent, so the singular row is that of a speed.
@@ -279,7 +279,7 @@ impl<'a> Loading<'a> {
 
     /// Factors of divisors that contain coordinates, without repetition. A factor without coordinates, such as a
     /// length, does not vanish during a motion.
-    fn speed_divisor_factors(&self, divisors: &[Expr], coordinates: &[Coordinate]) -> Vec<Expr> {
+    pub(super) fn speed_divisor_factors(&self, divisors: &[Expr], coordinates: &[Coordinate]) -> Vec<Expr> {
         let mut factors = Vec::new();
         for divisor in divisors {
             let inner = match self.arena.node(*divisor) {

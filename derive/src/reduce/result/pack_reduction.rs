@@ -406,8 +406,11 @@ fn packed_model(
         .collect();
     let conditions = whole.domain.iter().zip(&flow.wanted.conditions);
     let domain = conditions.map(|(c, e)| DomainCondition { positive: *e, ..c.clone() }).collect();
-    let kinematic_equations =
-        KinematicEquations { rates: equations.coordinate_rates.clone(), divisors: equations.divisors.clone() };
+    let kinematic_equations = KinematicEquations {
+        rates: equations.coordinate_rates.clone(),
+        divisors: equations.divisors.clone(),
+        has_dependent_speeds: false,
+    };
     crate::Model {
         arena,
         parameters,

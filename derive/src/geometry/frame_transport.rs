@@ -5,11 +5,11 @@
 //! rotated once, plus its own. So velocities become recursions along the tree without being written as recursions.
 //!
 //! Source: J. Y. S. Luh, M. W. Walker & R. P. C. Paul, "On-line computational scheme for mechanical manipulators",
-//! ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76. [`EquationForm`](super::equation_form::EquationForm) decides
+//! ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76. [`EquationForm`](crate::mechanics::EquationForm) decides
 //! which models are derived in this way.
 
+use super::{Components, Frames, Turn, TurnSense, Vector};
 use crate::algebra::{Arena, Expr};
-use crate::geometry::{Components, Frames, Turn, TurnSense, Vector};
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 
