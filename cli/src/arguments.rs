@@ -64,6 +64,9 @@ pub enum Command {
         /// A further formulation that is derived on request only, such as gibbs-appell; may be given more than once
         #[arg(long, value_name = "F")]
         also: Vec<String>,
+        /// Write a certificate of the proofs, from which a program outside Tripos decides whether they hold
+        #[arg(long, value_name = "FILE", conflicts_with = "also")]
+        certificate: Option<PathBuf>,
         /// Print JSON
         #[arg(long)]
         json: bool,

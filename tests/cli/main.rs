@@ -5,6 +5,7 @@ mod arguments;
 #[allow(dead_code, reason = "its text alone is used")]
 mod arm;
 mod base_parameters;
+mod certificate;
 mod changed_force;
 mod charts;
 mod checks;

@@ -13,7 +13,7 @@ mod typst;
 use crate::arguments::{self, Format};
 use crate::files::workspace::{read_model, short_name};
 use crate::phrases::NAMED_TERMS_HEADING;
-use crate::terminal::failure::{Failure, print, print_json, print_to_stderr};
+use crate::terminal::failure::{Failure, json_text, print, print_json, print_to_stderr};
 use derivation_document::Document;
 use formula_writer::{FormulaWriter, formulas_in_derivation};
 use rustc_hash::FxHashSet;
@@ -71,16 +71,42 @@ pub fn derive(
         Format::Sympy => sympy::sympy(&model, &derived)?,
         Format::Mathml => solved_formulations_mathml(&derived),
         Format::Json => {
-            let list: Vec<Value> = derived.iter().map(|d| json::formulation_json(&model, d)).collect();
-            let (name, title) = (short_name(&model), &model.title);
-            let value =
-                json!({ "model": name, "title": title, "count": model.counts_in_words(), "formulations": list });
-            print_json(&value)?;
+            print_json(&json_of(&model, &derived))?;
             return Ok(0);
         }
     };
     print(&out)?;
     Ok(0)
+}
+
+/// Returns the derived formulations of a model as JSON.
+fn json_of(model: &Mechanism, derived: &[SolvedFormulation]) -> Value {
+    let list: Vec<Value> = derived.iter().map(|d| json::formulation_json(model, d)).collect();
+    json!({
+        "model": short_name(model), "title": model.title, "count": model.counts_in_words(), "formulations": list,
+    })
+}
+
+/// Derivation of a model as JSON text, with the divisors of its formulas.
+pub struct DerivationText {
+    /// Bytes that `tripos derive MODEL --json` writes.
+    pub json: String,
+    /// The same JSON as a value.
+    pub value: Value,
+    /// Divisors in the formulas of each formulation, as pairs (formulation, formulas of the divisors). The formulas
+    /// contain the names of the JSON.
+    pub divisors: Vec<(String, Vec<String>)>,
+}
+
+/// Derives all standard formulations of a model, and returns them as JSON text.
+///
+/// # Errors
+/// `Failure` if the model cannot be derived.
+pub fn derivation_text_in_json(model: &Mechanism) -> Result<DerivationText, Failure> {
+    let derived = derivations(model, None, None)?;
+    let divisors = derived.iter().map(json::formulation_divisors).collect();
+    let value = json_of(model, &derived);
+    Ok(DerivationText { json: json_text(&value), value, divisors })
 }
 
 /// Derives the formulation named `by`, or all standard formulations that the model supports. Names unsupported

@@ -1,5 +1,10 @@
 //! Command `tripos prove`: proves that the formulations are equivalent, and finds first integrals of the motion.
 
+mod certificate;
+mod identities;
+
+use crate::commands::derive::derivation_text_in_json;
+use crate::files::output_files::{refuse_overwriting_inputs, write_text_file};
 use crate::files::workspace::{read_model, short_name};
 use crate::glossary::{glossary_json, glossary_text};
 use crate::terminal::failure::{Failure, Output, print, print_json, status};
@@ -19,19 +24,26 @@ use tripos_derive::prove::{Proof, prove as prove_model};
 const LONGEST: usize = 600;
 
 /// Runs `tripos prove`: proves that the standard formulations and those in `also` are equivalent, and finds first
-/// integrals. Returns the exit status, which is 1 if a pair of formulations is not proved equivalent.
+/// integrals. Writes a certificate of these proofs to the file `certificate`, if given. Returns the exit status, which
+/// is 1 if a pair of formulations is not proved equivalent; then there is no certificate.
 ///
 /// # Errors
-/// `Failure` if the model has errors, or if a formulation in `also` is unknown or cannot be derived.
-pub fn prove(model: &Path, also: &[String], output: Output) -> Result<u8, Failure> {
+/// `Failure` if the model has errors, if a formulation in `also` is unknown or cannot be derived, or if the certificate
+/// cannot be written.
+pub fn prove(model: &Path, also: &[String], certificate: Option<&Path>, output: Output) -> Result<u8, Failure> {
     let also = also.iter().map(|name| formulation_of_name(name)).collect::<Result<Vec<_>, _>>()?;
     let model = read_model(model)?;
+    refuse_overwriting_inputs(&model, None, certificate)?;
     let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
     for formulation in also {
         derivations.add(&model, formulation).map_err(|error| model.diagnose(&error))?;
     }
     let proof = prove_model(&model, &mut derivations);
     proof.write_names(&mut derivations);
+    if let Some(path) = certificate.filter(|_| proof.is_equivalent()) {
+        let derivation = derivation_text_in_json(&model)?;
+        write_text_file(path, &certificate::certificate_text(&model, &mut derivations, &proof, &derivation))?;
+    }
     let arena = &derivations.kinematics.arena;
     if output == Output::Json {
         print_json(&json_of(&model, arena, &proof))?;

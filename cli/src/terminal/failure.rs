@@ -155,6 +155,11 @@ pub fn print(text: &str) -> Result<(), Failure> {
 /// # Errors
 /// [`Failure::Hangup`] for a closed pipe, `Failure::Output` for another error.
 pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
+    write_out(&json_text(value))
+}
+
+/// Returns JSON as [`print_json`] writes it, byte for byte, with the version of its format first.
+pub fn json_text(value: &serde_json::Value) -> String {
     let mut versioned = serde_json::Map::from_iter([("schema".to_owned(), SCHEMA.into())]);
     let versioned = match value {
         serde_json::Value::Object(entries) => {
@@ -171,7 +176,7 @@ pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
             out.extend(c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")));
         }
     }
-    write_out(&out)
+    out
 }
 
 /// Format in which a command prints its result: text or JSON.

@@ -442,8 +442,18 @@ impl Model {
 /// recognize their model.
 #[must_use]
 pub fn text_hash(text: &str) -> String {
+    let mut digest = text_digest(text);
+    digest.truncate(16);
+    digest
+}
+
+/// SHA-256 of a text as 64 hexadecimal digits. Certificates of proofs are bound to their files by it.
+#[must_use]
+pub fn text_digest(text: &str) -> String {
     use sha2::Digest;
-    let digest = sha2::Sha256::digest(text.as_bytes());
-    let first = digest.iter().take(8).fold(0_u64, |n, byte| n << 8 | u64::from(*byte));
-    format!("{first:016x}")
+    use std::fmt::Write;
+    sha2::Sha256::digest(text.as_bytes()).iter().fold(String::new(), |mut digits, byte| {
+        let _ = write!(digits, "{byte:02x}");
+        digits
+    })
 }

@@ -10,8 +10,21 @@ use super::formula_writer::{FormulaWriter, formulas_in_derivation};
 use serde_json::{Value, json};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::solve::elimination::divisors;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::mechanics::{DerivationInSteps, LineName, Step};
+
+/// Returns the name of a formulation, and the divisors in its equations, energies and accelerations as text. The text
+/// contains the names of its JSON object. The lines of its stages are left out.
+pub fn formulation_divisors(SolvedFormulation { derivation, solved }: &SolvedFormulation) -> (String, Vec<String>) {
+    let DerivationInSteps { arena, equations: e, steps } = derivation;
+    let (solved, divided) = solved.as_ref().map_or((&[][..], &[][..]), |solved| (&solved.steps, &solved.divisors));
+    let values = |list: &[Definition]| list.iter().map(|step| step.value).collect::<Vec<_>>();
+    let shown = [formulas_in_derivation(e, steps), values(&e.definitions), values(solved)].concat();
+    let writer = FormulaWriter::new(arena, e, &[shown.as_slice(), divided].concat());
+    let computed = [formulas_in_derivation(e, &[]), values(&e.definitions), values(solved)].concat();
+    (e.formulation.name().to_owned(), writer.texts(&divisors(arena, &computed)))
+}
 
 /// Returns the JSON object of one formulation: its equations, definitions, accelerations and
 /// stages.

@@ -1,0 +1,138 @@
+//! Certificate of the proofs about a model: a text from which another program decides whether they hold.
+//!
+//! Each line is a JSON value. The lines before the prime are the statement; their hash determines the prime and the
+//! points of modular proofs, so that nobody can choose them. `docs/certificate.md` states the format.
+
+use super::identities::{IdentityName, derivation_identities};
+use crate::commands::derive::DerivationText;
+use serde_json::{Value, json};
+use std::fmt::Write;
+use tripos::Mechanism;
+use tripos_derive::algebra::solve::elimination::divisors;
+use tripos_derive::algebra::term::calculus::Substitution;
+use tripos_derive::algebra::text::definitions::definitions_shown;
+use tripos_derive::algebra::text::print::{print_text, print_whole_text};
+use tripos_derive::algebra::value::proved_prime::proved_prime_after;
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::mechanics::{Derivations, Formulation};
+use tripos_derive::model::text_digest;
+use tripos_derive::prove::{Integral, IntegralKind, Proof};
+
+/// Version of the format of certificates.
+const VERSION: u32 = 1;
+
+/// Statements about a model that no certificate contains yet.
+const NOT_CERTIFIED: [&str; 6] = [
+    "the kinematics, the loads and the energies of the model: tests/certificate/kinematics.py checks them",
+    "the names of integrals, except energies and momenta of coordinates",
+    "that no further first integrals exist",
+    "reductions, redundant constraints and base parameters",
+    "verdicts on printed derivations",
+    "stability, runs and emitted code",
+];
+
+/// Returns the certificate of the proofs about a model. The proofs must belong to the derivation.
+pub fn certificate_text(
+    model: &Mechanism,
+    derivations: &mut Derivations,
+    proof: &Proof,
+    derivation: &DerivationText,
+) -> String {
+    let mut identities = derivation_identities(&derivation.value, is_driven(model, derivations));
+    let arena = &derivations.kinematics.arena;
+    let mut lines = vec![
+        json!({ "tripos_certificate": VERSION, "model": model.title }),
+        json!({ "model_text": model.source.text, "sha256": text_digest(&model.source.text) }),
+        json!({ "derivation": derivation.json, "sha256": text_digest(&derivation.json) }),
+    ];
+    let mut nonzero: serde_json::Map<String, Value> =
+        derivation.divisors.iter().map(|(name, list)| (name.clone(), json!(list))).collect();
+    for formulation in Formulation::STANDARD {
+        let Some((multipliers, name)) = combination_multipliers(proof, formulation) else { continue };
+        let all: Vec<Expr> = multipliers.iter().flatten().copied().collect();
+        nonzero.insert(format!("multipliers of {name}"), json!(divisor_texts(arena, &all)));
+        let rows: Vec<Vec<String>> = multipliers.iter().map(|row| texts(arena, row)).collect();
+        lines.push(json!({ "combination": name, "named": named(arena, &all), "multipliers": rows }));
+    }
+    for integral in proof.integrals.iter().filter(|integral| integral.verdict.is_equal()) {
+        let (line, divided) = integral_line(model, arena, integral);
+        nonzero.insert(format!("integral {}", integral.name(model, arena)), json!(divided));
+        identities.extend(integral_identities(&line));
+        lines.push(line);
+    }
+    lines.push(json!({ "nonzero": nonzero }));
+    let missing = proof.missing.iter().map(|(formulation, why)| format!("{}: {why}", formulation.name()));
+    let left_out: Vec<String> = NOT_CERTIFIED.into_iter().map(str::to_owned).chain(missing).collect();
+    lines.push(json!({ "not_certified": left_out }));
+    let mut out = String::new();
+    for line in &lines {
+        let _ = writeln!(out, "{line}");
+    }
+    let prime = proved_prime_after(&text_digest(&out));
+    for line in [json!({ "prime": prime.cofactor, "witness": prime.witness }), json!({ "identities": identities })] {
+        let _ = writeln!(out, "{line}");
+    }
+    out
+}
+
+/// True if the mechanism moves although all speeds are 0, because a drive prescribes a motion.
+fn is_driven(model: &Mechanism, derivations: &mut Derivations) -> bool {
+    let rates = derivations.get(Formulation::Kane).map(|kane| kane.coordinate_rates.clone()).unwrap_or_default();
+    let arena = &mut derivations.kinematics.arena;
+    let at_rest: Vec<(Expr, Expr)> = model.u().into_iter().map(|speed| (speed, Expr::ZERO)).collect();
+    let mut at_rest = Substitution::new(&at_rest);
+    rates.into_iter().any(|rate| at_rest.apply(arena, rate) != Expr::ZERO)
+}
+
+/// Lists the identities about the integral in a line of the certificate.
+fn integral_identities(line: &Value) -> Vec<IdentityName> {
+    let name = format!("integral {}", line["integral"].as_str().unwrap_or_default());
+    let values = [line["is_energy"] == true, line["is_momentum_of"].is_string()];
+    let values = values.into_iter().filter(|is_stated| *is_stated).map(|_| "value");
+    std::iter::once("rate").chain(values).map(|what| vec![name.clone(), what.to_owned()]).collect()
+}
+
+/// Returns the multipliers with which the rows of a formulation with reactions give Kane's rows, and the
+/// formulation's name. `None` for other formulations, and without a proof.
+fn combination_multipliers(proof: &Proof, formulation: Formulation) -> Option<(&[Vec<Expr>], &'static str)> {
+    let mut combinations =
+        proof.pairs.iter().filter(|pair| pair.verdict.is_equal()).flat_map(|pair| &pair.combinations);
+    let found = combinations.find(|c| c.of == formulation && c.gives == Formulation::Kane && c.relations.is_empty())?;
+    Some((&found.multipliers, formulation.name()))
+}
+
+/// Returns the line of a first integral, and the divisors in its formulas.
+fn integral_line(model: &Mechanism, arena: &Arena, integral: &Integral) -> (Value, Vec<String>) {
+    let all: Vec<Expr> = std::iter::once(integral.expression).chain(integral.multipliers.iter().copied()).collect();
+    let momentum = integral.kinds.iter().zip(&integral.of_places).find_map(|(kind, place)| match kind {
+        IntegralKind::Coordinate(at) if *place == Expr::ZERO => Some(print_text(arena, model.coordinates[*at].symbol)),
+        _ => None,
+    });
+    let line = json!({
+        "integral": integral.name(model, arena),
+        "is_energy": integral.kinds.contains(&IntegralKind::Energy),
+        "is_momentum_of": momentum,
+        "named": named(arena, &all),
+        "value": print_whole_text(arena, integral.expression),
+        "multipliers": texts(arena, &integral.multipliers),
+    });
+    (line, divisor_texts(arena, &all))
+}
+
+/// Returns formulas as texts.
+fn texts(arena: &Arena, list: &[Expr]) -> Vec<String> {
+    list.iter().map(|e| print_whole_text(arena, *e)).collect()
+}
+
+/// Returns the divisors in formulas as texts.
+fn divisor_texts(arena: &Arena, formulas: &[Expr]) -> Vec<String> {
+    texts(arena, &divisors(arena, formulas))
+}
+
+/// Returns the definitions of the names in formulas, each after those that it contains.
+fn named(arena: &Arena, formulas: &[Expr]) -> Vec<Value> {
+    let definitions = definitions_shown(arena, formulas).into_iter();
+    definitions
+        .map(|d| json!({ "name": print_text(arena, d.symbol), "value": print_whole_text(arena, d.value) }))
+        .collect()
+}

@@ -1,0 +1,128 @@
+"""Checks a certificate of `tripos prove MODEL --certificate FILE` with the standard library of Python alone.
+
+    check.py FILE [--model MODEL_OR_FOLDER] [--derivation JSON]
+
+Exit status 0 if every claim holds, else 1 and the reason. docs/certificate.md states the format and what is checked.
+This program decides what must be proved. The certificate supplies multipliers, a prime, and lists to compare with.
+"""
+import hashlib, json, math, sys, tomllib
+from pathlib import Path
+from claims import Case
+from formula import Bounds, NextPoint, Refused, Residue, Residues, need
+
+MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError)
+BITS, Q = 64, 2**127 - 1  # A false claim must pass with a chance below 2^-BITS. Q is a prime of Mersenne.
+
+
+def check_divisors(cases):
+    """Every divisor is a number, or a number times one that the certificate states. Every stated one is needed."""
+    stated = cases[0].certificate["nonzero"]
+    need(set(stated) == set(cases[0].divisors), "the lists of divisors do not belong to the formulas")
+    for name, texts in stated.items():
+        found = {(a.v, b.v): t for (t, a), (_, b) in zip(*(c.divisors[name] for c in cases), strict=True)}
+        named = cases[0].certificate["named"][name]
+        terms = {d["name"] for d in named}
+        scopes = [c.scope(name, {k: v for k, v in c.symbols.items() if k not in terms}, named) for c in cases]
+        values = [[scope(text)[0].v for text in texts] for scope in scopes]
+        need(all(map(all, values)), f"{name}: a stated divisor vanishes identically")
+        unused = set(range(len(texts)))
+        for (a, b), tree in found.items():
+            match = [k for k in range(len(texts)) if (a * values[1][k] - b * values[0][k]) % Residue.P == 0]
+            need(match or a == b, f"{name}: the divisor {tree} is not stated")
+            unused -= set(match)
+        need(not unused, f"{name}: no formula is divided by {[texts[k][:80] for k in unused]}")
+
+
+def check_prime(k, witness, digest):
+    """The prime 2 k Q + 1 follows from the hash of the statement, and is a prime by Pocklington's criterion."""
+    least = 2**125 + int(digest[:31], 16)
+    need(0 <= k - least + 4 < 2**16 and k < 2**126 and k % 4 == 1, "the prime does not belong to the statement")
+    p = 2 * k * Q + 1
+    is_prime = pow(witness, p - 1, p) == 1 and math.gcd(pow(witness, 2 * k, p) - 1, p) == 1
+    need(is_prime, "the prime is not proved to be prime")
+    return p
+
+
+def read_certificate(text):
+    """The certificate as a dictionary, with the hash of its statement. Refuses wrong hashes and unknown lines."""
+    records = [json.loads(line, object_pairs_hook=unique) for line in text.split("\n") if line]
+    need(records[0].get("tripos_certificate") == 1, "this is no certificate of version 1")
+    model, derivation, *body = records[1:-2]
+    for record, key in ((model, "model_text"), (derivation, "derivation")):
+        need(record["sha256"] == digest(record[key]), f"the hash of the {key} is wrong")
+    c = {"model_text": model["model_text"], "derivation_text": derivation["derivation"], **records[-2], **records[-1]}
+    c["derivation"] = json.loads(derivation["derivation"], object_pairs_hook=unique)
+    c["statement"] = digest(text[:text.rindex('{"prime"')])
+    c["integrals"] = [line for line in body if "integral" in line]
+    c["combinations"] = {line["combination"]: line for line in body if "combination" in line}
+    for line in body[-2:]: c |= line
+    c["named"] = {f["formulation"]: f["named"] + f["accelerations"] for f in c["derivation"]["formulations"]}
+    c["named"] |= {"multipliers of " + name: line["named"] for name, line in c["combinations"].items()}
+    c["named"] |= {"integral " + line["integral"]: line["named"] for line in c["integrals"]}
+    need(len(c["named"]) == len(c["derivation"]["formulations"]) + len(body) - 2, "a line is unknown or given twice")
+    return c
+
+
+def unique(pairs):
+    need(len(dict(pairs)) == len(pairs), "a key is given twice")
+    return dict(pairs)
+
+
+def digest(text): return hashlib.sha256(text.encode()).hexdigest()
+
+
+def check(text, model=None, derivation=None):
+    """Checks a certificate. Raises Refused with the reason if it does not hold; else returns a summary."""
+    c = read_certificate(text)
+    need(model in (None, c["model_text"]), "the model is another than that of the certificate")
+    need(derivation in (None, c["derivation_text"]), "the derivation is another than that of the certificate")
+    Residue.P = check_prime(int(c["prime"]), c["witness"], c["statement"])
+    parameters = tomllib.loads(c["model_text"]).get("parameters", {})
+    positive = {name for name, p in parameters.items() if isinstance(p, dict) and p.get("positive")}
+    terms = {term["name"] for named in c["named"].values() for term in named}
+    need(not terms & set(parameters), "a named term has the name of a parameter")
+    cases = []
+    for at in range(1000):
+        try:
+            case, names = Case(c, Residues(f"{c['statement']} {at}".encode(), positive)), []
+            for name, left, right in case.claims():
+                need(left.v == right.v, f"{', '.join(name)}: the sides differ")
+                names.append(list(name))
+        except NextPoint: continue
+        cases.append(case)
+        if len(cases) == 2: break
+    need(len(cases) == 2, "no point was found at which all roots exist")
+    need(c["identities"] == names, "the list of identities is not that of the claims")
+    check_divisors(cases)
+    bounds = Bounds()
+    sides = [left - right for _, left, right in Case(c, bounds).claims()]
+    # Circles double degrees, squares for positive symbols double them again, and norms of roots raise them. Of the
+    # primes, 2^117 are possible; the chance that one divides all coefficients is the height / 253 / 2^117 at most.
+    raised = max(len(case.domain.roots) for case in cases) * math.log2(2 * bounds.root_size)
+    degree, height = (math.log2(max(getattr(x, key) for x in sides) + 1) + 3 + raised for key in "nh")
+    bits = min(252 - degree, 117 + 7 - max(degree, height) - 1)
+    need(bits >= BITS, f"a false claim could pass with a chance of 2^-{math.floor(bits)}")
+    return f"{len(names)} identities hold; a false one would pass with a chance below 2^-{math.floor(bits)}"
+
+
+def read(path, inside=""):
+    return (Path(path) / inside if Path(path).is_dir() else Path(path)).read_bytes().decode()
+
+
+def main(argv):
+    options = dict(zip(argv[1::2], argv[2::2], strict=True))
+    unknown = set(options) - {"--model", "--derivation"}
+    sys.setrecursionlimit(10**6)
+    try:
+        need(not unknown, f"unknown options {unknown}")
+        model, derivation = options.get("--model"), options.get("--derivation")
+        summary = check(read(argv[0]), model and read(model, "model.toml"), derivation and read(derivation))
+        print(f"{argv[0]}: {summary}")
+    except (Refused, OSError, *MALFORMED) as why:
+        print(f"{argv[0]}: refused: {why}" if isinstance(why, Refused) else f"{argv[0]}: refused: {why!r}")
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

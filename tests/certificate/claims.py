@@ -1,0 +1,152 @@
+"""Claims that a certificate must establish about a derivation, with the values of both sides. Used by check.py."""
+from fractions import Fraction
+from formula import Residue, Residues, Scope, add, need, parse
+
+
+class Case:
+    """Claims about a derivation, and their values in one domain: residues at a point, or bounds."""
+    def __init__(self, certificate, domain):
+        self.certificate, self.domain, self.divisors = certificate, domain, {}
+        self.by = {f["formulation"]: f for f in certificate["derivation"]["formulations"]}
+        need(len(self.by) == len(certificate["derivation"]["formulations"]), "a formulation is given twice")
+        self.kane, lagrange = self.by.get("kane"), self.by.get("lagrange")
+        need(self.kane and lagrange, "not checked: a certificate needs Kane's and Lagrange's equations")
+        speeds, rates = self.kane["rows"], self.kane["coordinate_rates"]
+        coordinates = lagrange["rows"][:len(rates)]
+        need(self.kane["unknowns"] == [u + "'" for u in speeds], "Kane's unknowns are not the rates of the speeds")
+        need(lagrange["unknowns"][:len(rates)] == [q + "''" for q in coordinates], "a coordinate has no second rate")
+        need(len(set(coordinates + speeds)) == len(rates) + len(speeds), "a variable has two meanings")
+        one, zero = domain.number(Fraction(1)), domain.number(Fraction(0))
+        u = {s: domain.symbol(s) for s in speeds}
+        def rates_at(q, along):
+            scope = self.scope("kane", {**q, **{s: (u[s], along.get(s)) for s in speeds}})
+            return [scope(r) for r in rates]
+        still = {q: (domain.symbol(q), None) for q in coordinates}
+        velocity = [r[0] for r in rates_at(still, {})]
+        moving = {q: (still[q][0], v) for q, v in zip(coordinates, velocity)}
+        def motion(rate):
+            """Symbols along the motion with the given rates of the speeds, each with its rate."""
+            second = [r[1] or zero for r in rates_at(moving, rate)]
+            return {**moving, **{s: (u[s], rate[s]) for s in speeds},
+                    **{q + "'": (v, a) for q, v, a in zip(coordinates, velocity, second)},
+                    **{q + "''": (a, None) for q, a in zip(coordinates, second)}}
+        self.w = [[r[1] or zero for r in rates_at(still, {s: one})] for s in speeds]
+        self.offset = [r[1] or zero for r in rates_at(moving, {})]
+        rest = self.scope("kane", {**still, **{s: (zero, None) for s in speeds}})
+        self.is_driven = isinstance(domain, Residues) and any(rest(r)[0].v for r in rates)
+        self.free = [domain.symbol(s + "'") for s in speeds]
+        self.symbols = motion(dict(zip(speeds, self.free))) | {s + "'": (a, None) for s, a in zip(speeds, self.free)}
+        self.speeds, self.coordinates, self.motion, self.zero = speeds, coordinates, motion, zero
+
+    def scope(self, name, symbols, named=None, more=()):
+        terms = [*(self.by[name]["named"] if named is None else named), *more]
+        trees = {d["name"]: parse(d["value"]) for d in terms}
+        need(len(trees) == len(terms), f"{name}: a name is defined twice")
+        return Scope(self.domain, symbols, trees, self.divisors.setdefault(name, []))
+
+    def dot(self, a, b):
+        total = self.zero
+        for x, y in zip(a, b, strict=True): total = total + x * y
+        return total
+
+    def system(self, name, scope):
+        f = self.by[name]
+        need(len(f["rows"]) == len(f["forcing"]) == len(f["mass_matrix"]), f"{name}: a row is missing")
+        need(all(len(row) == len(f["unknowns"]) for row in f["mass_matrix"]), f"{name}: a coefficient is missing")
+        return [[scope(e)[0] for e in row] for row in f["mass_matrix"]], [scope(e)[0] for e in f["forcing"]]
+
+    def claims(self):
+        """Every claim, as (name, left, right). Each holds if both sides are the same fraction."""
+        scopes = {name: self.scope(name, self.symbols) for name in self.by}
+        matrix, force = self.system("kane", scopes["kane"])
+        for name, f in self.by.items():
+            m, g = self.system(name, scopes[name])
+            maps, count = [], 0
+            if name != "kane":
+                maps, count, columns, m, g = self.combination(name, m, g)
+                yield from self.equivalence(name, maps, count, columns, (m, g), (matrix, force))
+                for what in ("kinetic_energy", "potential_energy", "power"):
+                    yield (name, what), scopes[name](f[what])[0], scopes["kane"](self.kane[what])[0]
+            if f["accelerations"]: yield from self.accelerations(name, maps, count)
+        residual = [self.dot(row, self.free) - b for row, b in zip(matrix, force)]
+        for i in self.certificate["integrals"]: yield from self.integral(i, residual, scopes["kane"])
+
+    def combination(self, name, m, g):
+        """Multipliers of the rows that give Kane's rows, their count, and the system in the rates of the speeds."""
+        f, n = self.by[name], len(self.coordinates)
+        if name == "lagrange":
+            g = [b - self.dot(row[:n], self.offset) for row, b in zip(m, g)]
+            m = [[self.dot(row[:n], w) for w in self.w] + row[n:] for row in m]
+            return self.w, n, self.kane["unknowns"] + f["unknowns"][n:], m, g
+        need(name in self.certificate["combinations"], f"{name}: the multipliers are missing")
+        c = self.certificate["combinations"][name]
+        scope = self.scope("multipliers of " + name, self.symbols, c["named"])
+        need(f["unknowns"][:len(self.speeds)] == self.kane["unknowns"], f"{name}: the unknowns differ from Kane's")
+        return [[scope(e)[0] for e in row] for row in c["multipliers"]], len(m), f["unknowns"], m, g
+
+    def equivalence(self, name, maps, count, columns, system, kane):
+        """The multiplied rows are Kane's, without other unknowns; rows of constraints vanish; all ranks are full."""
+        (m, g), p = system, len(self.speeds)
+        need(len(maps) == p, f"{name}: a row of multipliers is missing")
+        for row, line, k, b in zip(self.speeds, maps, *kane):
+            expected = k + [self.zero] * (len(columns) - p)
+            for at, x in enumerate(columns):
+                yield (name, row, x), self.dot(line, [r[at] for r in m[:count]]), expected[at]
+            yield (name, row, "right"), self.dot(line, g[:count]), b
+        for row, line, b in zip(self.by[name]["rows"][count:], m[count:], g[count:]):
+            for x, entry in zip([*columns, "right"], [*line, b]): yield (name, row, x), entry, self.zero
+        if isinstance(self.domain, Residues):
+            others = [row[p:] for row in m[:count]]
+            need(rank(maps) == p, f"{name}: the multipliers are not independent")
+            need(rank(others) == len(columns) - p == count - p, f"{name}: the rows do not determine the other unknowns")
+
+    def accelerations(self, name, maps, count):
+        """The accelerations in closed form solve the equations, for all values of unknowns that they leave open."""
+        f, defined = self.by[name], {d["name"] for d in self.by[name]["accelerations"]}
+        known = {k: v for k, v in self.symbols.items() if k not in defined}
+        scope = self.scope(name, known, more=f["accelerations"])
+        x = [scope(e)[0] for e in f["unknowns"]]
+        m, g = self.system(name, scope)
+        left = [self.dot(row, x) for row in m]
+        if defined >= set(f["unknowns"]): maps, count = [], 0
+        for row, line in zip(self.speeds, maps):
+            yield (name, "accelerations", row), self.dot(line, left[:count]), self.dot(line, g[:count])
+        for row, a, b in zip(f["rows"][count:], left[count:], g[count:]): yield (name, "accelerations", row), a, b
+        if name == "kane" and not self.is_driven:
+            scope = self.scope(name, self.motion(dict(zip(self.speeds, x))))
+            rate = add(scope(f["kinetic_energy"]), scope(f["potential_energy"]))[1]
+            yield ("kane", "power", "rate"), rate or self.zero, scope(f["power"])[0]
+
+    def integral(self, i, residual, kane):
+        """The rate of the integral is a combination of Kane's rows, and it is no constant. Its kind tells its value."""
+        name = "integral " + i["integral"]
+        scope = self.scope(name, self.symbols, i["named"])
+        value, rate = scope(i["value"])
+        yield (name, "rate"), rate or self.zero, self.dot([scope(e)[0] for e in i["multipliers"]], residual)
+        if i["is_energy"]:
+            energies = [kane(self.kane[key])[0] for key in ("kinetic_energy", "potential_energy")]
+            yield (name, "value"), value, energies[0] + energies[1]
+        if i["is_momentum_of"]:
+            q, one = i["is_momentum_of"] + "'", self.domain.number(Fraction(1))
+            still = {k: (v[0], one if k == q else None) for k, v in self.symbols.items()}
+            momentum = self.scope("lagrange", still)(self.by["lagrange"]["kinetic_energy"])[1]
+            yield (name, "value"), value, momentum or self.zero
+        if isinstance(self.domain, Residues):
+            varied = {k: (v[0], self.domain.random("along", k)) for k, v in self.symbols.items()}
+            rate = self.scope(name, varied, i["named"])(i["value"])[1]
+            need(rate and rate.v, f"{name}: the integral is a constant")
+
+
+def rank(matrix):
+    """Rank of a matrix of residues. It is at most the rank of the matrix of fractions."""
+    rows, found = [[x.v for x in row] for row in matrix], 0
+    for at in range(len(rows[0])):
+        pivot = next((k for k in range(found, len(rows)) if rows[k][at]), None)
+        if pivot is None: continue
+        rows[found], rows[pivot] = rows[pivot], rows[found]
+        inverse = pow(rows[found][at], -1, Residue.P)
+        for k in range(found + 1, len(rows)):
+            factor = rows[k][at] * inverse
+            if factor: rows[k] = [(x - factor * y) % Residue.P for x, y in zip(rows[k], rows[found])]
+        found += 1
+    return found
