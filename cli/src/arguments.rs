@@ -5,7 +5,7 @@ mod fit_options;
 mod notations;
 mod requests;
 
-pub use notations::{Form, Format, Notation};
+pub use notations::{CertificateFormat, Form, Format, Notation};
 pub use requests::{Excite, Fit, Grade, MarksFormat, Page, Plot, Set, Simulate, Sweep, View};
 
 use clap::{Parser, Subcommand};
@@ -67,6 +67,9 @@ pub enum Command {
         /// Write a certificate of the proofs, from which a program outside Tripos decides whether they hold
         #[arg(long, value_name = "FILE", conflicts_with = "also")]
         certificate: Option<PathBuf>,
+        /// Format of the certificate
+        #[arg(long, value_name = "FORMAT", default_value = "lines", requires = "certificate")]
+        format: CertificateFormat,
         /// Print JSON
         #[arg(long)]
         json: bool,

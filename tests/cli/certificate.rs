@@ -1,4 +1,4 @@
-//! `tripos prove --certificate`: programs that share no code with Tripos accept true certificates, and refuse all others.
+//! `tripos prove --certificate`: programs that share no code with Tripos accept true certificates and refuse others.
 
 use crate::left_out::is_left_out;
 use crate::support::{command, root, tripos_in};

@@ -42,3 +42,12 @@ pub enum Notation {
     /// Matrices for a document with amsmath
     Latex,
 }
+
+/// Format of a certificate of proofs.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum CertificateFormat {
+    /// Lines of JSON, which the checkers in `tests/certificate` read
+    Lines,
+    /// Lemmas for Coq, as far as their identities are short
+    Coq,
+}

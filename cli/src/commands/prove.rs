@@ -1,8 +1,10 @@
 //! Command `tripos prove`: proves that the formulations are equivalent, and finds first integrals of the motion.
 
 mod certificate;
+mod coq;
 mod identities;
 
+use crate::arguments::CertificateFormat;
 use crate::commands::derive::derivation_text_in_json;
 use crate::files::output_files::{refuse_overwriting_inputs, write_text_file};
 use crate::files::workspace::{read_model, short_name};
@@ -30,19 +32,28 @@ const LONGEST: usize = 600;
 /// # Errors
 /// `Failure` if the model has errors, if a formulation in `also` is unknown or cannot be derived, or if the certificate
 /// cannot be written.
-pub fn prove(model: &Path, also: &[String], certificate: Option<&Path>, output: Output) -> Result<u8, Failure> {
+pub fn prove(
+    model: &Path,
+    also: &[String],
+    certificate: Option<(&Path, CertificateFormat)>,
+    output: Output,
+) -> Result<u8, Failure> {
     let also = also.iter().map(|name| formulation_of_name(name)).collect::<Result<Vec<_>, _>>()?;
     let model = read_model(model)?;
-    refuse_overwriting_inputs(&model, None, certificate)?;
+    refuse_overwriting_inputs(&model, None, certificate.map(|(path, _)| path))?;
     let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
     for formulation in also {
         derivations.add(&model, formulation).map_err(|error| model.diagnose(&error))?;
     }
     let proof = prove_model(&model, &mut derivations);
     proof.write_names(&mut derivations);
-    if let Some(path) = certificate.filter(|_| proof.is_equivalent()) {
+    if let Some((path, format)) = certificate.filter(|_| proof.is_equivalent()) {
         let derivation = derivation_text_in_json(&model)?;
-        write_text_file(path, &certificate::certificate_text(&model, &mut derivations, &proof, &derivation))?;
+        let text = match format {
+            CertificateFormat::Lines => certificate::certificate_text(&model, &mut derivations, &proof, &derivation),
+            CertificateFormat::Coq => coq::coq_text(&model, &mut derivations, &proof, &derivation.json),
+        };
+        write_text_file(path, &text)?;
     }
     let arena = &derivations.kinematics.arena;
     if output == Output::Json {

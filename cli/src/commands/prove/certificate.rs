@@ -16,7 +16,7 @@ use tripos_derive::algebra::value::proved_prime::proved_prime_after;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{Derivations, Formulation};
 use tripos_derive::model::text_digest;
-use tripos_derive::prove::{Integral, IntegralKind, Proof};
+use tripos_derive::prove::{Combination, Integral, IntegralKind, Proof};
 
 /// Version of the format of certificates.
 const VERSION: u32 = 1;
@@ -97,8 +97,13 @@ fn integral_identities(line: &Value) -> Vec<IdentityName> {
 fn combination_multipliers(proof: &Proof, formulation: Formulation) -> Option<(&[Vec<Expr>], &'static str)> {
     let mut combinations =
         proof.pairs.iter().filter(|pair| pair.verdict.is_equal()).flat_map(|pair| &pair.combinations);
-    let found = combinations.find(|c| c.of == formulation && c.gives == Formulation::Kane && c.relations.is_empty())?;
+    let found = combinations.find(|c| c.of == formulation && gives_kane(c) && c.relations.is_empty())?;
     Some((&found.multipliers, formulation.name()))
+}
+
+/// True if a combination gives rows along speeds without reactions. Of the standard formulations, Kane's has such rows.
+pub fn gives_kane(combination: &Combination) -> bool {
+    !combination.gives.is_in_rates() && !combination.gives.has_reactions()
 }
 
 /// Returns the line of a first integral, and the divisors in its formulas.

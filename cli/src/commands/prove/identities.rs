@@ -8,12 +8,12 @@ use std::collections::BTreeSet;
 /// Name of an identity in parts: formulation, row and column, such as `lagrange`, `u1`, `u2'`.
 pub type IdentityName = Vec<String>;
 
-/// Lists the identities about the formulations of a derivation in JSON. If drives move the mechanism (`is_driven`), the
-/// rate of T + V is not among them.
+/// Lists the identities about the formulations of a derivation in JSON, of which Kane's equations are the first. If
+/// drives move the mechanism (`is_driven`), the rate of T + V is not among them.
 pub fn derivation_identities(derivation: &Value, is_driven: bool) -> Vec<IdentityName> {
     let empty = Vec::new();
     let list = derivation["formulations"].as_array().unwrap_or(&empty);
-    let Some(kane) = list.iter().find(|f| f["formulation"] == "kane") else { return Vec::new() };
+    let Some(kane) = list.first() else { return Vec::new() };
     let kane = System::new(kane);
     let mut out = Vec::new();
     for value in list {
