@@ -21,9 +21,7 @@ def check_divisors(cases):
     for name, texts in stated.items():
         found = {(a.v, b.v): t for (t, a), (_, b) in zip(*(c.divisors[name] for c in cases), strict=True)}
         named = cases[0].certificate["named"][name]
-        terms = {d["name"] for d in named}
-        scopes = [c.scope(name, {k: v for k, v in c.symbols.items() if k not in terms}, named) for c in cases]
-        values = [[scope(text)[0].v for text in texts] for scope in scopes]
+        values = [[c.scope(name, c.symbols, named)(text)[0].v for text in texts] for c in cases]
         need(all(map(all, values)), f"{name}: a stated divisor vanishes identically")
         unused = set(range(len(texts)))
         for (a, b), tree in found.items():

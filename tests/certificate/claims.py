@@ -28,14 +28,13 @@ class Case:
             """Symbols along the motion with the given rates of the speeds, each with its rate."""
             second = [r[1] or zero for r in rates_at(moving, rate)]
             return {**moving, **{s: (u[s], rate[s]) for s in speeds},
-                    **{q + "'": (v, a) for q, v, a in zip(coordinates, velocity, second)},
-                    **{q + "''": (a, None) for q, a in zip(coordinates, second)}}
+                    **{q + "'": (v, a) for q, v, a in zip(coordinates, velocity, second)}}
         self.w = [[r[1] or zero for r in rates_at(still, {s: one})] for s in speeds]
         self.offset = [r[1] or zero for r in rates_at(moving, {})]
         rest = self.scope("kane", {**still, **{s: (zero, None) for s in speeds}})
         self.is_driven = isinstance(domain, Residues) and any(rest(r)[0].v for r in rates)
         self.free = [domain.symbol(s + "'") for s in speeds]
-        self.symbols = motion(dict(zip(speeds, self.free))) | {s + "'": (a, None) for s, a in zip(speeds, self.free)}
+        self.symbols = motion(dict(zip(speeds, self.free)))  # No formula may contain u' or q''.
         self.speeds, self.coordinates, self.motion, self.zero = speeds, coordinates, motion, zero
 
     def scope(self, name, symbols, named=None, more=()):
@@ -103,8 +102,7 @@ class Case:
     def accelerations(self, name, maps, count):
         """The accelerations in closed form solve the equations, for all values of unknowns that they leave open."""
         f, defined = self.by[name], {d["name"] for d in self.by[name]["accelerations"]}
-        known = {k: v for k, v in self.symbols.items() if k not in defined}
-        scope = self.scope(name, known, more=f["accelerations"])
+        scope = self.scope(name, self.symbols, more=f["accelerations"])
         x = [scope(e)[0] for e in f["unknowns"]]
         m, g = self.system(name, scope)
         left = [self.dot(row, x) for row in m]

@@ -121,6 +121,7 @@ class Scope:
         if kind == "n": return self.number(a)
         if kind == "s":
             if a not in self.memo:
+                need(a[-1] != "'" or a in self.symbols or a in self.named, f"a formula contains the rate {a}")
                 known = self.symbols.get(a) or (self.domain.symbol(a), None)
                 self.memo[a] = self.value(self.named[a]) if a in self.named else known
             return self.memo[a]

@@ -319,7 +319,7 @@ def check_at(c, model, case):
     def world(slopes):
         jets = Jets(case.domain, slopes)
         jet = lambda name: Jet(symbols[name][0], slopes.get(name, Residue(0)))
-        values = {name: (jet(name), None) for name in symbols if not name.endswith("''")}
+        values = {name: (jet(name), None) for name in symbols}
         values |= {q: (jet(q), jet(q + "'")) for q in case.coordinates}
         return World(model, Scope(jets, values, named))
     moving = world({name: value[1] for name, value in symbols.items() if value[1] is not None})

@@ -114,7 +114,10 @@ def tampered(text, rng, kind):
         return written(lines, True), "missing line"
     line = rng.choice([lines[at] for at in body])
     if "integral" in line and rng.random() < 0.5:
-        line["value"] = rng.choice([f"({line['value']})^2", "1"])
+        speed = next(iter(json.loads(lines[2]["derivation"])["formulations"][0]["rows"]))
+        same, none = line["multipliers"], ["0"] * len(line["multipliers"])
+        options = [(f"({line['value']})^2", same), ("1", same), ("1", none), (f"{speed}'", none)]
+        line["value"], line["multipliers"] = rng.choice(options)
         return written(lines, True), "value of an integral"
     row = line["multipliers"] if "integral" in line else rng.choice(line["multipliers"])
     at = rng.randrange(len(row))

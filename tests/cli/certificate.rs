@@ -111,3 +111,37 @@ fn certified_equations_are_those_of_the_model() {
     let (holds, text) = run_checker("tamper.py", &arguments);
     assert!(holds && text.contains("60 changed models are refused, 0 accepted"), "{text}");
 }
+
+/// Goal: short claims hold exactly, by a computer algebra system that parses and differentiates for itself. Method:
+/// `check_sympy.py` on six models, one with time and one with a loop.
+#[test]
+fn sympy_proves_short_claims() {
+    if crate::sympy::is_left_out("certificates") {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let names = ["disk", "knife_edge", "driven_pendulum", "four_bar", "satellite", "slider_crank"];
+    let files = names.map(|name| certificate(folder.path(), &format!("models/{name}")));
+    let program = root().join("tests/certificate/check_sympy.py");
+    let output = Command::new(crate::sympy::python()).arg(program).args(&files).output().unwrap();
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{text}{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(text.matches("SymPy proves").count(), names.len(), "{text}");
+    assert!(!text.contains("DOES NOT HOLD"), "{text}");
+}
+
+/// Goal: people read the lemmas that Coq checks. Method: the file of a pendulum for Coq; `.ci/full` runs Coq.
+#[test]
+fn lemmas_for_coq_are_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("pendulum.v");
+    let words = ["prove", "models/pendulum", "--format", "coq", "--certificate"];
+    let output = command(&root(), &words).arg(&path).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.contains("8 lemmas; 0 identities are left out"), "{text}");
+    assert_eq!(text.matches("Qed.").count(), 8, "{text}");
+    assert!(!["Admitted", "Axiom", "admit"].iter().any(|word| text.contains(word)), "{text}");
+    let (status, _, err) = tripos_in(&root(), &["prove", "models/pendulum", "--format", "coq"]);
+    assert!(status == 2 && err.contains("--certificate"), "{status} {err}");
+}
