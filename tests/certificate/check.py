@@ -52,10 +52,12 @@ def read_certificate(text):
     c["derivation"] = json.loads(derivation["derivation"], object_pairs_hook=unique)
     c["statement"] = digest(text[:text.rindex('{"prime"')])
     c["integrals"] = [line for line in body if "integral" in line]
+    c["reactions"] = [line for line in body if "reactions" in line]
     c["combinations"] = {line["combination"]: line for line in body if "combination" in line}
     for line in body[-2:]: c |= line
     c["named"] = {f["formulation"]: f["named"] + f["accelerations"] for f in c["derivation"]["formulations"]}
     c["named"] |= {"multipliers of " + name: line["named"] for name, line in c["combinations"].items()}
+    c["named"] |= {"reactions of " + line["reactions"]: line["named"] for line in c["reactions"]}
     c["named"] |= {"integral " + line["integral"]: line["named"] for line in c["integrals"]}
     need(len(c["named"]) == len(c["derivation"]["formulations"]) + len(body) - 2, "a line is unknown or given twice")
     return c

@@ -67,6 +67,7 @@ class Case:
                 for what in ("kinetic_energy", "potential_energy", "power"):
                     yield (name, what), scopes[name](f[what])[0], scopes["kane"](self.kane[what])[0]
             if f["accelerations"]: yield from self.accelerations(name, maps, count)
+        for line in self.certificate["reactions"]: yield from self.reactions(line, line["reactions"])
         residual = [self.dot(row, self.free) - b for row, b in zip(matrix, force)]
         for i in self.certificate["integrals"]: yield from self.integral(i, residual, scopes["kane"])
 
@@ -114,6 +115,18 @@ class Case:
             scope = self.scope(name, self.motion(dict(zip(self.speeds, x))))
             rate = add(scope(f["kinetic_energy"]), scope(f["potential_energy"]))[1]
             yield ("kane", "power", "rate"), rate or self.zero, scope(f["power"])[0]
+
+    def reactions(self, line, name):
+        """Along the motion, the values of the reactions solve every row of their formulation."""
+        solved = self.scope("kane", self.symbols, more=self.kane["accelerations"])
+        rates = {x: (solved(x)[0], None) for x in self.kane["unknowns"]}
+        scope = self.scope("reactions of " + name, self.symbols | rates, line["named"])
+        values = {r["name"]: scope(r["value"])[0] for r in line["values"]}
+        others = self.by[name]["unknowns"][len(self.speeds):]
+        need(sorted(values) == sorted(others), f"{name}: the values are not those of all reactions")
+        x = [a for a, _ in rates.values()] + [values[r] for r in others]
+        for row, line, b in zip(self.by[name]["rows"], *self.system(name, self.scope(name, self.symbols))):
+            yield (name, "reactions", row), self.dot(line, x), b
 
     def integral(self, i, residual, kane):
         """The rate of the integral is a combination of Kane's rows, and it is no constant. Its kind tells its value."""

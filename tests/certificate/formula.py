@@ -14,36 +14,49 @@ def need(holds, reason):
     if not holds: raise Refused(reason)
 
 
+TREES = {}
+
+
+def tree(kind, *parts):
+    """The one tree with this kind and these parts: ("n", a), ("s", name), ("+", terms), ("*", pair), ("/", a, b),
+    ("^", a, n) or (function, a)."""
+    key = (kind, *(id(x) if isinstance(x, tuple) else x for x in (parts[0] if kind in ("+", "*") else parts)))
+    return TREES.setdefault(key, (kind, *parts))
+
+
 @functools.cache
 def parse(text):
-    """Tree of a formula: ("n", a), ("s", name), ("+", [terms]), ("*", [a, b]), ("/", a, b), ("^", a, n), (f, a)."""
+    """Tree of a formula in the language of model files."""
     tokens, at = TOKEN.findall(text) + [("", "", "")], [-1]
     def peek(): return tokens[at[0] + 1][2]
     def take(wanted=None):
         at[0] += 1
         need(at[0] < len(tokens) and wanted in (None, tokens[at[0]][2]), f"`{text[:80]}` is no formula")
         return tokens[at[0]]
+    def negative(): return tree("*", (tree("n", Fraction(-1)), product()))
     def total():
         terms = [product()]
-        while peek() in ("+", "-"): terms.append(product() if take()[2] == "+" else ("*", [("n", -1), product()]))
-        return ("+", terms) if len(terms) > 1 else terms[0]
+        while peek() in ("+", "-"): terms.append(product() if take()[2] == "+" else negative())
+        return tree("+", tuple(terms)) if len(terms) > 1 else terms[0]
     def product():
-        if peek() == "-": return take() and ("*", [("n", -1), product()])
+        if peek() == "-": return take() and negative()
         value = power()
-        while peek() in ("*", "/"): value = ("*", [value, power()]) if take()[2] == "*" else ("/", value, power())
+        while peek() in ("*", "/"):
+            value = tree("*", (value, power())) if take()[2] == "*" else tree("/", value, power())
         return value
     def power():
         number, name, sign = take()
-        base = ("n", Fraction(number)) if number else ("s", name)
+        base = tree("n", Fraction(number)) if number else tree("s", name)
+        need(number or name not in ("n", "s") or peek() != "(", f"`{name}` is no function")
         if name and peek() == "(" or sign == "(":
-            base = total() if sign else take() and (name, total())
+            base = total() if sign else take() and tree(name, total())
             take(")")
-        else: need(number or name, f"`{text[:80]}` is no formula")
+        need(number or name or sign, f"`{text[:80]}` is no formula")
         if peek() != "^": return base
         sign = -1 if take() and peek() == "-" and take() else 1
         number = take()[0]
         need(number.isdigit(), f"`{text[:80]}` has an exponent that is no whole number")
-        return ("^", base, sign * int(number))
+        return tree("^", base, sign * int(number))
     value = total()
     need(at[0] == len(tokens) - 2, f"`{text[:80]}` is no formula")
     return value
@@ -116,43 +129,43 @@ class Scope:
         self.divisors = [] if divisors is None else divisors
     def __call__(self, text): return self.value(parse(text) if isinstance(text, str) else text)
     def number(self, a): return self.domain.number(Fraction(a)), None
-    def value(self, tree):
-        kind, a = tree[0], tree[1]
+    def value(self, e):
+        if id(e) not in self.memo: self.memo[id(e)] = self.evaluated(e, *e[:2])
+        return self.memo[id(e)]
+    def evaluated(self, e, kind, a):
         if kind == "n": return self.number(a)
         if kind == "s":
-            if a not in self.memo:
-                need(a[-1] != "'" or a in self.symbols or a in self.named, f"a formula contains the rate {a}")
-                known = self.symbols.get(a) or (self.domain.symbol(a), None)
-                self.memo[a] = self.value(self.named[a]) if a in self.named else known
-            return self.memo[a]
+            if a in self.named: return self.value(self.named[a])
+            need(a[-1] != "'" or a in self.symbols, f"a formula contains the rate {a}")
+            return self.symbols.get(a) or (self.domain.symbol(a), None)
         if kind in "+*":
             x = self.value(a[0])
             for b in a[1:]: x = (add if kind == "+" else mul)(x, self.value(b))
             return x
-        if kind == "/": return mul(self.value(a), self.inverse(tree[2]))
+        if kind == "/": return mul(self.value(a), self.inverse(e[2]))
         if kind == "^":
             x = one = self.number(1)
-            base = self.value(a) if tree[2] > 0 else self.inverse(a)
-            for _ in range(abs(tree[2])): x = base if x is one else mul(x, base)
+            base = self.value(a) if e[2] > 0 else self.inverse(a)
+            for _ in range(abs(e[2])): x = base if x is one else mul(x, base)
             return x
         return self.function(kind, a)
-    def inverse(self, tree):
+    def inverse(self, e):
         """The inverse of a tree, factor by factor; every factor that is no number is noted as a divisor."""
-        if tree[0] == "*": return functools.reduce(mul, map(self.inverse, tree[1]))
-        if tree[0] == "/": return mul(self.inverse(tree[1]), self.value(tree[2]))
-        if tree[0] == "^": return self.value(("^", tree[1], -tree[2]))
-        if tree[0] == "tan": return self.value(("/", ("cos", tree[1]), ("sin", tree[1])))
-        x = self.value(tree)
-        if tree[0] != "n": self.divisors.append((tree, x[0]))
+        if e[0] == "*": return functools.reduce(mul, map(self.inverse, e[1]))
+        if e[0] == "/": return mul(self.inverse(e[1]), self.value(e[2]))
+        if e[0] == "^": return self.value(tree("^", e[1], -e[2]))
+        if e[0] == "tan": return self.value(tree("/", tree("cos", e[1]), tree("sin", e[1])))
+        x = self.value(e)
+        if e[0] != "n": self.divisors.append((e, x[0]))
         i = x[0].inverse()
         return i, x[1] and self.number(-1)[0] * i * i * x[1]
-    def function(self, f, tree):
-        x, one = self.value(tree), self.domain.number(Fraction(1))
+    def function(self, f, e):
+        x, one = self.value(e), self.domain.number(Fraction(1))
         if f in ("sin", "cos", "tan"):
-            c, s = self.angle(tree)
+            c, s = self.angle(e)
             minus = self.domain.number(Fraction(-1)) * s
             if f == "tan":
-                self.divisors.append((("cos", tree), c))
+                self.divisors.append((tree("cos", e), c))
                 t = s * c.inverse()
                 return t, x[1] and (one + t * t) * x[1]
             return (s, x[1] and c * x[1]) if f == "sin" else (c, x[1] and minus * x[1])
@@ -164,16 +177,16 @@ class Scope:
                  "ln": lambda: x[0].inverse(), "atan": lambda: (one + x[0] * x[0]).inverse()}
         need(f in rates, f"the function `{f}` is not known")
         return y, rates[f]() and x[1] and rates[f]() * x[1]
-    def angle(self, tree):
+    def angle(self, e):
         """Cosine and sine of a sum of multiples of monomials, by the addition theorem."""
-        known = self.domain.angles.get(tree[1]) if tree[0] == "s" and tree[1] not in self.named else None
+        known = self.domain.angles.get(e[1]) if e[0] == "s" and e[1] not in self.named else None
         if known: return known
         c, s = self.number(1)[0], None
-        for monomial, k in self.polynomial(tree).items():
+        for monomial, k in self.polynomial(e).items():
             if monomial == ("pi",) and (2 * k).denominator == 1:
                 for _ in range(int(2 * k) % 4): c, s = self.number(-1)[0] * (s or self.number(0)[0]), c
                 continue
-            need(k.denominator <= 2 and abs(k) < 64, f"the angle {tree} has a part with the factor {k}")
+            need(k.denominator <= 2 and abs(k) < 64, f"the angle {e} has a part with the factor {k}")
             if (Scope.PARTS * k).denominator > 1:  # From here on, circles stand for half angles.
                 Scope.PARTS = 2
                 raise NextPoint
@@ -182,17 +195,17 @@ class Scope:
             if k < 0: y = self.number(-1)[0] * y
             for _ in range(abs(k)):
                 c, s = (c * x, c * y) if s is None else (c * x - s * y, s * x + c * y)
-        if tree[0] == "s" and tree[1] not in self.named: self.domain.angles[tree[1]] = c, s
+        if e[0] == "s" and e[1] not in self.named: self.domain.angles[e[1]] = c, s
         return c, s or self.number(0)[0]
-    def polynomial(self, tree):
+    def polynomial(self, e):
         """The polynomial {monomial: coefficient} that a tree is; a part that is none counts as one symbol."""
-        kind, a = tree[0], tree[1]
+        kind, a = e[:2]
         if kind == "s" and a in self.named: return self.polynomial(self.named[a])
         if kind == "n": return {(): Fraction(a)} if a else {}
-        if kind == "^" and tree[2] > 0: kind, a = "*", [a] * tree[2]
+        if kind == "^" and e[2] > 0: kind, a = "*", [a] * e[2]
         parts = [self.polynomial(b) for b in a] if kind in "+*" else []
-        if kind == "/" and tree[2][0] == "n": return {m: k / tree[2][1] for m, k in self.polynomial(a).items()}
-        total = dict(parts[0]) if parts else {(a if kind == "s" else repr(tree),): Fraction(1)}
+        if kind == "/" and e[2][0] == "n": return {m: k / e[2][1] for m, k in self.polynomial(a).items()}
+        total = dict(parts[0]) if parts else {(a if kind == "s" else repr(e),): Fraction(1)}
         for part in parts[1:]:
             products = [(tuple(sorted(m + n)), k * j) for m, k in total.items() for n, j in part.items()]
             pairs, total = (part.items(), total) if kind == "+" else (products, {})

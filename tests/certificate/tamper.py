@@ -20,7 +20,8 @@ ERRORS = (Refused, *MALFORMED)
 def proved_prime(statement):
     """The prime that belongs to a statement, as the command finds it."""
     k = (2**125 + int(statement[:31], 16)) // 4 * 4 + 1
-    while pow(3, 2 * k * Q, 2 * k * Q + 1) != 1: k += 4
+    def suits(p): return p % 3 == 2 and p % 5 in (1, 4) and p % 7 in (3, 5, 6) and pow(3, p - 1, p) == 1
+    while not suits(2 * k * Q + 1): k += 4
     return k
 
 
@@ -40,12 +41,11 @@ def spoilt(text, rng):
 
 
 def rows_of_motion(lines, derivation, f):
-    """Indices of the rows that the motion needs. Other rows only determine a reaction or multiplier."""
+    """Indices of the rows that the claims need. Other rows only determine a multiplier."""
     if f["formulation"] == "kane": return range(len(f["rows"]))
     rates = next(g for g in derivation["formulations"] if g["formulation"] == "kane")["coordinate_rates"]
     if f["formulation"] == "lagrange": return [k for k, rate in enumerate(rates) if not rate.isdigit()]
-    combination = next(line for line in lines if line.get("combination") == f["formulation"])
-    return [k for k in range(len(f["rows"])) if any(row[k] != "0" for row in combination["multipliers"])]
+    return range(len(f["rows"]))
 
 
 def change_formula(lines, rng):
@@ -119,6 +119,10 @@ def tampered(text, rng, kind):
         options = [(f"({line['value']})^2", same), ("1", same), ("1", none), (f"{speed}'", none)]
         line["value"], line["multipliers"] = rng.choice(options)
         return written(lines, True), "value of an integral"
+    if "reactions" in line:
+        r = rng.choice(line["values"])
+        r["value"] = spoilt(r["value"], rng)
+        return written(lines, True), "value of a reaction"
     row = line["multipliers"] if "integral" in line else rng.choice(line["multipliers"])
     at = rng.randrange(len(row))
     row[at] = spoilt(row[at], rng)

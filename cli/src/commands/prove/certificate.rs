@@ -3,7 +3,7 @@
 //! Each line is a JSON value. The lines before the prime are the statement; their hash determines the prime and the
 //! points of modular proofs, so that nobody can choose them. `docs/certificate.md` states the format.
 
-use super::identities::{IdentityName, derivation_identities};
+use super::identities::{IdentityName, derivation_identities, reaction_identities};
 use crate::commands::derive::DerivationText;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -22,8 +22,10 @@ use tripos_derive::prove::{Combination, Integral, IntegralKind, Proof};
 const VERSION: u32 = 1;
 
 /// Statements about a model that no certificate contains yet.
-const NOT_CERTIFIED: [&str; 6] = [
+const NOT_CERTIFIED: [&str; 8] = [
     "the kinematics, the loads and the energies of the model: tests/certificate/kinematics.py checks them",
+    "entries that only determine a multiplier, and coefficients of t'' = 0",
+    "the members steps, count, singular_where and accelerations_divide_by of the derivation",
     "the names of integrals, except energies and momenta of coordinates",
     "that no further first integrals exist",
     "reductions, redundant constraints and base parameters",
@@ -54,6 +56,15 @@ pub fn certificate_text(
         let rows: Vec<Vec<String>> = multipliers.iter().map(|row| texts(arena, row)).collect();
         lines.push(json!({ "combination": name, "named": named(arena, &all), "multipliers": rows }));
     }
+    if let Some(name) = formulation_of_reactions(derivations, proof) {
+        let of_reactions = reaction_identities(&derivation.value, name);
+        if !of_reactions.is_empty() {
+            let all: Vec<Expr> = proof.reactions.iter().map(|reaction| reaction.value).collect();
+            nonzero.insert(format!("reactions of {name}"), json!(divisor_texts(arena, &all)));
+            identities.extend(of_reactions);
+            lines.push(reactions_line(arena, proof, name, &all));
+        }
+    }
     for integral in proof.integrals.iter().filter(|integral| integral.verdict.is_equal()) {
         let (line, divided) = integral_line(model, arena, integral);
         nonzero.insert(format!("integral {}", integral.name(model, arena)), json!(divided));
@@ -73,6 +84,18 @@ pub fn certificate_text(
         let _ = writeln!(out, "{line}");
     }
     out
+}
+
+/// Returns the name of the formulation whose reactions were solved for. `None` if there are no reactions.
+fn formulation_of_reactions(derivations: &Derivations, proof: &Proof) -> Option<&'static str> {
+    let mut derived = Formulation::STANDARD.into_iter().filter(|f| f.has_reactions() && derivations.get(*f).is_some());
+    derived.next().filter(|_| !proof.reactions.is_empty()).map(Formulation::name)
+}
+
+/// Returns the line with the values of all reactions, as functions of the motion and its accelerations.
+fn reactions_line(arena: &Arena, proof: &Proof, name: &str, all: &[Expr]) -> Value {
+    let values = proof.reactions.iter().map(|r| json!({ "name": r.name, "value": print_whole_text(arena, r.value) }));
+    json!({ "reactions": name, "named": named(arena, all), "values": values.collect::<Vec<_>>() })
 }
 
 /// True if the mechanism moves although all speeds are 0, because a drive prescribes a motion.

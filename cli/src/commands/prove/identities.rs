@@ -47,6 +47,17 @@ pub fn derivation_identities(derivation: &Value, is_driven: bool) -> Vec<Identit
     out
 }
 
+/// Lists the identities that the values of the reactions in the formulation `name` solve its rows along the motion.
+/// Empty unless the derivation has the accelerations of its first formulation, Kane's.
+pub fn reaction_identities(derivation: &Value, name: &str) -> Vec<IdentityName> {
+    let mut systems = derivation["formulations"].as_array().into_iter().flatten().map(System::new).peekable();
+    if systems.peek().is_none_or(|kane| kane.solved.is_empty()) {
+        return Vec::new();
+    }
+    let Some(system) = systems.find(|system| system.name == name) else { return Vec::new() };
+    system.rows.iter().map(|row| system.identity(&["reactions", row])).collect()
+}
+
 /// Names in the equations of one formulation.
 struct System {
     /// Name of the formulation.

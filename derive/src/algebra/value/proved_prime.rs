@@ -7,6 +7,7 @@
 use num_bigint::BigUint;
 
 /// Prime 2 k Q + 1 with Q = 2^127 − 1 and its proof. It is 7 modulo 8, so that a number or its negative is a square.
+/// Modulo the prime, the numbers 2, 3, 5 and 7 are squares, so that roots of small numbers exist.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProvedPrime {
     /// Number k of the prime 2 k Q + 1, in decimal digits.
@@ -30,11 +31,20 @@ pub fn proved_prime_after(digest: &str) -> ProvedPrime {
     loop {
         let prime: BigUint = &cofactor * 2_u8 * &mersenne + 1_u8;
         let composite = SMALL.step_by(2).any(|small| &prime % small == BigUint::ZERO);
-        if !composite && let Some(witness) = pocklington_witness(&prime, &cofactor) {
+        if !composite
+            && small_numbers_are_squares(&prime)
+            && let Some(witness) = pocklington_witness(&prime, &cofactor)
+        {
             return ProvedPrime { cofactor: cofactor.to_string(), witness };
         }
         cofactor += 4_u8;
     }
+}
+
+/// True if 3, 5 and 7 are squares modulo a prime that is 3 modulo 4, by the law of quadratic reciprocity.
+fn small_numbers_are_squares(prime: &BigUint) -> bool {
+    let residues: [(u32, &[u32]); 3] = [(3, &[2]), (5, &[1, 4]), (7, &[3, 5, 6])];
+    residues.iter().all(|(modulus, allowed)| allowed.iter().any(|residue| prime % *modulus == BigUint::from(*residue)))
 }
 
 /// Base that proves by Pocklington's criterion that 2 k Q + 1 is prime; `None` if no base below 20 does.
