@@ -240,6 +240,10 @@ pub enum Command {
         /// Read this robot description as a beginning: a URDF or an MJCF file
         #[arg(long, value_name = "FILE", conflicts_with = "like")]
         from: Option<PathBuf>,
+        /// Close the loops of a URDF file by this TOML file: pairs of links that are connected, and joints that follow
+        /// others
+        #[arg(long, value_name = "FILE.toml", requires = "from")]
+        loops: Option<PathBuf>,
         /// Let the root of a URDF file move freely; by default it is fixed to the ground
         #[arg(long, requires = "from")]
         floating: bool,

@@ -148,9 +148,9 @@ fn print_json_of_wrong_arguments(error: &clap::Error, words: &[OsString]) {
 /// Runs a subcommand and returns its exit status. `Err` is the failure of the subcommand.
 fn run(command: Command) -> Result<u8, Failure> {
     match command {
-        Command::New { folder, like, from, floating, as_written } => {
+        Command::New { folder, like, from, loops, floating, as_written } => {
             let options = tripos_robots::Options { is_floating: floating, is_as_written: as_written };
-            commands::new::new(&folder, &commands::new::Beginning { like, from, options })
+            commands::new::new(&folder, &commands::new::Beginning { like, from, loops, options })
         }
         Command::Completions { shell } => commands::manual::completions(shell),
         Command::Man { out } => commands::manual::man(out.as_deref()),

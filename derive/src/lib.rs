@@ -59,7 +59,7 @@ pub mod reduce;
 pub mod reference;
 pub mod scene;
 pub mod schema;
-mod toml_reader;
+pub mod toml_reader;
 
 pub use mechanics::{Equations, Formulation, derive};
 pub use model::Model;

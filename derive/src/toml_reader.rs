@@ -291,6 +291,7 @@ impl<'a> TomlReader<'a> {
 
     /// Entries of a TOML table in the order of the file. Entries with the same place are ordered by
     /// name.
+    #[must_use]
     #[allow(clippy::unused_self, reason = "a question to the reader")]
     pub fn entries(&self, table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
         let mut entries: Vec<Entry<'a>> = table.iter().map(|(key, value)| (located_key(key), value)).collect();
@@ -313,6 +314,7 @@ impl<'a> TomlReader<'a> {
     }
 
     /// Value of an optional key of a table; `None` if the key is absent.
+    #[must_use]
     #[allow(clippy::unused_self, reason = "a question to the reader")]
     pub fn get(&self, table: &'a DeTable<'a>, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
         table.iter().find(|(k, _)| k.get_ref() == key).map(|(_, value)| value)

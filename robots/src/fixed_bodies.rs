@@ -62,6 +62,13 @@ pub fn join(robot: &mut Robot) {
     for actuator in &mut robot.actuators {
         move_joint(&mut actuator.joint, &places);
     }
+    robot.assembly = std::mem::take(&mut robot.assembly)
+        .into_iter()
+        .map(|(mut joint, value)| {
+            move_joint(&mut joint, &places);
+            (joint, value)
+        })
+        .collect();
 }
 
 /// Expresses an end of a loop in the axes of the body that contains it now.

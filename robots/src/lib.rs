@@ -2,13 +2,14 @@
 //!
 //! [`import`] reads a description, checks it, joins bodies that are fixed to one another, and writes a model file:
 //! the text that a person would write, with joints, inertias, limits, loops, couplings, drives and shapes. Parts of
-//! the description without a meaning in a model of rigid bodies are listed. [`urdf_text`] writes a tree of links as
-//! a URDF file.
+//! the description without a meaning in a model of rigid bodies are listed. The loops of a URDF file, which is a tree,
+//! stand in a second file. [`urdf_text`] writes a tree of links as a URDF file.
 
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]
 
 mod fixed_bodies;
 mod inertia;
+mod loops_file;
 mod mjcf;
 mod model_text;
 mod names;
@@ -45,11 +46,12 @@ pub struct Options {
     pub is_as_written: bool,
 }
 
-/// Reads a robot description in URDF or MJCF, and writes it as a model file.
+/// Reads a robot description in URDF or MJCF, and writes it as a model file. `loops` is a TOML file with the
+/// connections and couplings of a URDF file, which is a tree; MJCF files state their own.
 ///
 /// # Errors
-/// All mistakes of the description, each with its place in the file.
-pub fn import(source: &Source, options: Options) -> Result<Import, Diagnostics> {
+/// All mistakes of the description, or else of the loops, each with its place in the file.
+pub fn import(source: &Source, loops: Option<&Source>, options: Options) -> Result<Import, Diagnostics> {
     let document = xml::parse(source)?;
     let root = document.root_element();
     let reading = xml::Reading::new(options);
@@ -63,6 +65,14 @@ pub fn import(source: &Source, options: Options) -> Result<Import, Diagnostics> 
         }
     };
     let mut robot = reading.into_result(source, read)?;
+    if let Some(loops) = loops {
+        if !root.has_tag_name("robot") {
+            let message = "this MJCF file states its loops under `<equality>`, and a further file gives loops, too";
+            let error = Diagnostic::of_file(message, "leave the further file out: it is for URDF files");
+            return Err(Diagnostics::new(source.clone(), vec![error]));
+        }
+        loops_file::read(loops, options, &mut robot)?;
+    }
     fixed_bodies::join(&mut robot);
     if robot.bodies.is_empty() {
         let error = Diagnostic::of_file(
@@ -72,7 +82,7 @@ pub fn import(source: &Source, options: Options) -> Result<Import, Diagnostics> 
         return Err(Diagnostics::new(source.clone(), vec![error]));
     }
     let format = if root.has_tag_name("robot") { "URDF" } else { "MJCF" };
-    let text = model_text::model_text(&mut robot, format, &source.path);
+    let text = model_text::model_text(&mut robot, format, &source.path, loops.map(|loops| loops.path.as_path()));
     Ok(Import {
         scene: scene_text::scene_text(&robot, &text.coordinates),
         model: text.model,

@@ -6,6 +6,7 @@
 
 use crate::pose::Pose;
 use nalgebra::{Matrix3, Vector3};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use tripos_derive::plain_text::one_line;
 
@@ -26,6 +27,9 @@ pub struct Robot {
     pub loops: Vec<Loop>,
     /// Equations between joint coordinates.
     pub couplings: Vec<Coupling>,
+    /// Values of joint coordinates near which the loops are closed, rad or m. Other joints have their reference values
+    /// there.
+    pub assembly: BTreeMap<JointIndex, f64>,
     /// Motors and other actuators of joints.
     pub actuators: Vec<Actuator>,
     /// Parts of the file that have no meaning in a model of rigid bodies, or that were simplified.
@@ -174,6 +178,8 @@ pub enum LoopKind {
     Connect,
     /// Two frames stay together.
     Weld,
+    /// Two frames stay together but for a turn about one of their axes, with the index of this axis from 0.
+    Hinge(usize),
 }
 
 /// A connection of two bodies that closes a loop.
@@ -273,6 +279,7 @@ impl Robot {
             markers: Vec::new(),
             loops: Vec::new(),
             couplings: Vec::new(),
+            assembly: BTreeMap::new(),
             actuators: Vec::new(),
             omissions: Vec::new(),
         }
@@ -287,9 +294,14 @@ impl Robot {
 impl Omission {
     /// Counts a part that was left out; parts with the same text are counted together.
     pub fn add(list: &mut Vec<Self>, text: String) {
-        match list.iter_mut().find(|omission| omission.text == text) {
-            Some(known) => known.count += 1,
-            None => list.push(Self { text, count: 1 }),
+        Self::merge(list, Self { text, count: 1 });
+    }
+
+    /// Adds parts that were left out; parts with the same text are counted together.
+    pub(crate) fn merge(list: &mut Vec<Self>, omission: Self) {
+        match list.iter_mut().find(|known| known.text == omission.text) {
+            Some(known) => known.count += omission.count,
+            None => list.push(omission),
         }
     }
 }

@@ -20,7 +20,7 @@ use tripos_derive::diagnostic::nearest_name_advice;
 /// Acceleration of free fall, m/s²; URDF files state none.
 const GRAVITY: f64 = 9.81;
 /// Largest plausible angle of a pose, rad. Larger numbers are degrees.
-const LARGEST_ANGLE: f64 = 13.0;
+pub const LARGEST_ANGLE: f64 = 13.0;
 
 /// Size from which a limit is none: files write such numbers for joints that move without end.
 const NO_LIMIT: f64 = 1000.0;
@@ -161,7 +161,7 @@ fn link_order<'a, 'j, 'i>(
             reading.add_with_other(
                 place(joint.node),
                 format!("two joints, `{}` and `{}`, carry the link `{}`", first.name, joint.name, joint.child),
-                "a URDF file is a tree: close the loop in the model file, by a further joint of the body",
+                "a URDF file is a tree: leave one joint out, and close the loop by a file for `--loops`",
                 place(first.node),
                 "first here",
             );
@@ -175,7 +175,7 @@ fn link_order<'a, 'j, 'i>(
         [] => reading.add(
             place(joints.first().map_or(root, |joint| joint.node)),
             "the joints form a loop: each link is carried by another",
-            "leave out the joint that closes the loop, and close it in the model file",
+            "leave out the joint that closes the loop, and close it by a file for `--loops`",
         ),
         [_] => {}
         [first, second, ..] => {
@@ -202,7 +202,7 @@ fn link_order<'a, 'j, 'i>(
         reading.add(
             place(*node),
             format!("the link `{name}` is in a loop of joints that the root does not carry"),
-            "leave out the joint that closes the loop, and close it in the model file",
+            "leave out the joint that closes the loop, and close it by a file for `--loops`",
         );
         return None;
     }

@@ -59,6 +59,11 @@ impl Reading {
         multiple
     }
 
+    /// Parts left out or simplified.
+    pub fn into_omissions(self) -> Vec<Omission> {
+        self.omissions.into_inner()
+    }
+
     /// Gives the robot, with the omissions, if no mistake was recorded.
     ///
     /// # Errors

@@ -39,6 +39,7 @@ mod pictures;
 mod plots;
 mod random_scenes;
 mod regenerate;
+mod robot_loops;
 mod robots;
 mod robots_as_urdf;
 mod scene;

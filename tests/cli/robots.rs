@@ -29,12 +29,12 @@ const DESCRIPTIONS: [&str; 14] = [
 ];
 
 /// Text of a description.
-fn description(file: &str) -> String {
+pub fn description(file: &str) -> String {
     std::fs::read_to_string(root().join("tests/data/robots").join(file)).unwrap()
 }
 
 /// Text without the elements with these names.
-fn without(text: &str, names: &[&str]) -> String {
+pub fn without(text: &str, names: &[&str]) -> String {
     let mut text = text.to_owned();
     for name in names {
         while let Some(start) = text.find(&format!("<{name}>")) {
@@ -47,7 +47,7 @@ fn without(text: &str, names: &[&str]) -> String {
 }
 
 /// Model made from a description in a folder; the arguments follow `new`.
-fn model_in(folder: &Path, file: &str, text: &str, arguments: &[&str]) -> String {
+pub fn model_in(folder: &Path, file: &str, text: &str, arguments: &[&str]) -> String {
     std::fs::write(folder.join(file), text).unwrap();
     let (status, out, err) = tripos_in(folder, &[&["new", "robot", "--from", file], arguments].concat());
     assert_eq!(status, 0, "{file}: {out}{err}");
@@ -55,7 +55,7 @@ fn model_in(folder: &Path, file: &str, text: &str, arguments: &[&str]) -> String
 }
 
 /// Numbers of a JSON array.
-fn numbers(value: &Value) -> Vec<f64> {
+pub fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
 }
 

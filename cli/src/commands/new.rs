@@ -29,6 +29,8 @@ pub struct Beginning {
     pub like: Option<PathBuf>,
     /// Robot description to read, in URDF or MJCF.
     pub from: Option<PathBuf>,
+    /// File with the loops of a robot in URDF.
+    pub loops: Option<PathBuf>,
     /// Options of reading the robot description.
     pub options: tripos_robots::Options,
 }
@@ -52,7 +54,7 @@ pub fn new(folder: &Path, beginning: &Beginning) -> Result<u8, Failure> {
     };
     let made = match beginning {
         Beginning { like: Some(like), .. } => read_model_to_copy(like)?,
-        Beginning { from: Some(from), options, .. } => read_robot(from, *options)?,
+        Beginning { from: Some(from), loops, options, .. } => read_robot(from, loops.as_deref(), *options)?,
         Beginning { .. } => Folder {
             model: MODEL.replace("TITLE", &title.replace(['\\', '"'], "_")),
             scenes: vec![("first.toml".into(), SCENE.to_owned())],
@@ -115,13 +117,14 @@ fn read_model_to_copy(like: &Path) -> Result<Folder, Failure> {
     Ok(Folder { model, scenes, remarks: Vec::new() })
 }
 
-/// Reads a robot description as a model with one scene.
+/// Reads a robot description, with the file of its loops, as a model with one scene.
 ///
 /// # Errors
-/// [`Failure`] with all mistakes of the description.
-fn read_robot(path: &Path, options: tripos_robots::Options) -> Result<Folder, Failure> {
+/// [`Failure`] with all mistakes of the description, or else of the file of loops.
+fn read_robot(path: &Path, loops: Option<&Path>, options: tripos_robots::Options) -> Result<Folder, Failure> {
     let source = Source::read(path).map_err(tripos::Error::from)?;
-    let import = tripos_robots::import(&source, options).map_err(tripos::Error::from)?;
+    let loops = loops.map(Source::read).transpose().map_err(tripos::Error::from)?;
+    let import = tripos_robots::import(&source, loops.as_ref(), options).map_err(tripos::Error::from)?;
     let remarks = import.omissions.iter().map(|omission| format!("left out {omission}"));
     Ok(Folder { remarks: remarks.collect(), model: import.model, scenes: vec![("first.toml".into(), import.scene)] })
 }

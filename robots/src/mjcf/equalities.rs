@@ -105,7 +105,7 @@ impl<'a> Reader<'a, '_> {
                 let other = relative.inverse().compose(&pose);
                 (pose, Pose::at(other.position))
             }
-            LoopKind::Weld => {
+            LoopKind::Weld | LoopKind::Hinge(_) => {
                 let at = Pose::at(anchor.unwrap_or_default());
                 match element.fixed::<7>("relpose", self.reading) {
                     // The stated position is that of the second body's anchor in the axes of the first body.

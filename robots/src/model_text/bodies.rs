@@ -173,7 +173,7 @@ impl Writer<'_> {
                 _ => joint.reference,
             };
             let is_free = !self.robot.couplings.iter().any(|coupling| coupling.follower == index);
-            let reference = joint.reference;
+            let reference = self.robot.assembly.get(&index).copied().unwrap_or(joint.reference);
             self.coordinates.push(Coordinate { name: coordinate.clone(), start, reference, is_free });
             self.joints.push(JointNames {
                 index,

@@ -18,9 +18,14 @@ impl Writer<'_> {
         let kind = match one.kind {
             LoopKind::Connect => "ball",
             LoopKind::Weld => "weld",
+            LoopKind::Hinge(_) => "pin",
         };
         let body_name = self.bodies[body].body.clone();
-        let mut keys = vec![format!("kind = \"{kind}\""), format!("body = \"{body_name}\"")];
+        let mut keys = vec![format!("kind = \"{kind}\"")];
+        if let LoopKind::Hinge(axis) = one.kind {
+            keys.push(format!("axis = {}", axis + 1));
+        }
+        keys.push(format!("body = \"{body_name}\""));
         let on = carrier.map_or_else(|| "the ground".to_owned(), |carrier| self.bodies[carrier].body.clone());
         keys.extend(carrier.map(|_| format!("to = \"{on}\"")));
         let (carrier_pose, body_pose) = (self.on_body(carrier, carrier_pose).2, self.on_body(Some(body), body_pose).2);
@@ -30,7 +35,7 @@ impl Writer<'_> {
         let about = format!("position of {name} on {body_name}");
         let body_at = self.position("", &format!("{name}_{body_name}"), &body_pose.position, &about);
         keys.push(format!("body_at = {}", body_at.unwrap_or_else(origin)));
-        if one.kind == LoopKind::Weld {
+        if one.kind != LoopKind::Connect {
             keys.extend(self.turn(&name, &carrier_pose.rotation).map(|turn| format!("turned = {{ {turn} }}")));
             let turn = self.turn(&format!("{name}_{body_name}"), &body_pose.rotation);
             keys.extend(turn.map(|turn| format!("body_turned = {{ {turn} }}")));
@@ -81,7 +86,7 @@ impl Writer<'_> {
         self.sections.constraints.push(format!("{name} = \"{} = {right}\"", names.coordinate));
     }
 
-    /// Writes the reference configuration of a robot with loops: the pose in which they are closed.
+    /// Writes the pose near which the loops of a robot are closed.
     pub(super) fn write_assembly(&mut self) {
         if self.robot.loops.is_empty() {
             return;

@@ -29,7 +29,7 @@ pub struct Coordinate {
     /// Value in the reference configuration; rad, m or 1. If that value is not between the joint's limits, the middle
     /// of the limits, or 1 rad or 1 m from the only limit.
     pub start: f64,
-    /// Value in the reference configuration; rad, m or 1.
+    /// Value in the pose near which loops are closed; rad, m or 1.
     pub reference: f64,
     /// False if the coordinate follows another one.
     pub is_free: bool,
@@ -106,9 +106,10 @@ struct Writer<'a> {
     omissions: Vec<Omission>,
 }
 
-/// Writes the model file of a robot. `format` names the format of the description, and `path` its file.
+/// Writes the model file of a robot. `format` names the format of the description, `path` its file, and `loops` the
+/// file of its loops.
 /// Simplifications are added to the robot's omissions.
-pub fn model_text(robot: &mut Robot, format: &str, path: &Path) -> ModelText {
+pub fn model_text(robot: &mut Robot, format: &str, path: &Path, loops: Option<&Path>) -> ModelText {
     let mut writer = Writer {
         robot,
         names: Names::new(),
@@ -137,13 +138,16 @@ pub fn model_text(robot: &mut Robot, format: &str, path: &Path) -> ModelText {
     writer.write_shapes();
     let Writer { sections, coordinates, omissions, .. } = writer;
     robot.omissions.extend(omissions);
-    let name = path.file_name().map_or_else(String::new, |name| path_as_plain_text(Path::new(name)));
-    let mut model =
-        format!("# Made from {name} ({format}) by `tripos new --from`. Every section and key: docs/model.md.\n");
+    let file_name = |path: &Path| path.file_name().map_or_else(String::new, |name| path_as_plain_text(Path::new(name)));
+    let name = file_name(path);
+    let with_loops = loops.map_or_else(String::new, |loops| format!(" with the loops of {}", file_name(loops)));
+    let mut model = format!(
+        "# Made from {name} ({format}){with_loops} by `tripos new --from`. Every section and key: docs/model.md.\n"
+    );
     for omission in &robot.omissions {
         let _ = writeln!(model, "# Left out: {omission}.");
     }
-    let source = quoted(&format!("{format} file {name}"));
+    let source = quoted(&format!("{format} file {name}{with_loops}"));
     let _ = writeln!(model, "schema = 1\nname = {}\nsource = {source}", quoted(&robot.name));
     sections.write(&mut model);
     ModelText { model, coordinates }

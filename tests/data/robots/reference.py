@@ -5,10 +5,12 @@
 Each state has the coordinates and generalized speeds, the kinetic energy T (J), the weight's potential (J, up to a
 constant of the robot), and, unless a joint has several coordinates in Pinocchio, the mass matrix M and the bias h of
 M u' + h = tau. Loops of MJCF files are left out: the states are those of the tree. NAME.motion.json has the
-coordinates 0.1 s after a release at rest, with the loops closed by MuJoCo's stiffest equality.
+coordinates 0.1 s after a release at rest, with the loops closed by MuJoCo's stiffest equality. NAME.loops.json has the
+accelerations of a URDF file whose loops and couplings are in NAME.KIND.toml: those of Lagrange's multipliers with
+Pinocchio's mass matrix, bias and Jacobians, at a state with closed loops, with the damping of the joints.
 """
 
-import json, re, sys
+import json, re, sys, tomllib
 from pathlib import Path
 
 import mujoco
@@ -153,6 +155,112 @@ def motion(path):
     path.with_suffix(".motion.json").write_text(json.dumps(out) + "\n")
 
 
+def loops(path):
+    """Accelerations with the loops of each file NAME.KIND.toml; all joints of the robot have one coordinate."""
+    model = pin.buildModelFromXML(path.read_text())
+    data, size = model.createData(), model.nv
+    damping = np.zeros(size)
+    for block in re.findall(r"<joint .*?</joint>", path.read_text(), re.S):
+        found = re.search(r'damping="([^"]*)"', block)
+        if found:
+            damping[model.joints[model.getJointId(re.search(r'name="([^"]+)"', block).group(1))].idx_v] = found.group(1)
+    local = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
+    at = lambda name: model.joints[model.getJointId(name)]
+    results = {}
+    for file in sorted(path.parent.glob(f"{path.stem}.*.toml")):
+        stated = tomllib.loads(file.read_text())
+        angles = np.zeros(size)
+        for name, value in stated["assembly"].items():
+            angles[at(name).idx_v] = value
+        angles += np.random.default_rng(7).normal(size=size) * 0.02
+        velocity = np.random.default_rng(8).normal(size=size)
+
+        def configuration(angles):
+            q = pin.neutral(model)
+            return pin.integrate(model, q, angles)
+
+        def rows(angles, velocity):
+            """Residual, Jacobian and the acceleration of the residual at zero joint accelerations."""
+            q = configuration(angles)
+            pin.forwardKinematics(model, data, q, velocity, np.zeros(size))
+            pin.computeJointJacobians(model, data, q)
+            pin.updateFramePlacements(model, data)
+            residual, jacobian, drift = [], [], []
+            for loop in stated["loops"].values():
+                ends = []
+                for end in (loop["first"], loop["second"]):
+                    frame = model.getFrameId(end["link"])
+                    pose = data.oMf[frame]
+                    arm = pose.rotation @ np.array(end.get("xyz", [0, 0, 0]), float)
+                    J = pin.getFrameJacobian(model, data, frame, local)
+                    a = pin.getFrameClassicalAcceleration(model, data, frame, local)
+                    turning = pin.getFrameVelocity(model, data, frame, local).angular
+                    rotation = pose.rotation @ pin.rpy.rpyToMatrix(*np.array(end.get("rpy", [0, 0, 0]), float))
+                    ends.append(
+                        {
+                            "point": pose.translation + arm,
+                            "J": J[:3] - pin.skew(arm) @ J[3:],
+                            "a": a.linear + np.cross(a.angular, arm) + np.cross(turning, np.cross(turning, arm)),
+                            "rotation": rotation,
+                            "turns": J[3:],
+                            "omega": turning,
+                            "alpha": a.angular,
+                        }
+                    )
+                one, two = ends
+                residual += list(one["point"] - two["point"])
+                jacobian += list(one["J"] - two["J"])
+                drift += list(one["a"] - two["a"])
+                if loop["kind"] == "connect":
+                    continue
+                turn = one["rotation"] @ two["rotation"].T
+                error = pin.log3(turn)
+                across = np.eye(3)
+                if loop["kind"] == "hinge":
+                    axis = np.array(loop["axis"], float) / np.linalg.norm(loop["axis"])
+                    across = (one["rotation"] @ np.linalg.svd(axis[None])[2][1:].T).T
+                    error = np.cross(two["rotation"] @ axis, one["rotation"] @ axis)
+                relative = one["omega"] - two["omega"]
+                residual += list(across @ error)
+                jacobian += list(across @ (one["turns"] - two["turns"]))
+                moving = np.cross(one["omega"], across) if loop["kind"] == "hinge" else np.zeros((3, 3))
+                drift += list(across @ (one["alpha"] - two["alpha"]) + moving @ relative)
+            for coupling in stated["couplings"].values():
+                follower, leader = at(coupling["joint"]).idx_v, at(coupling["follows"]).idx_v
+                row = np.zeros(size)
+                row[follower], row[leader] = 1, -coupling["multiplier"]
+                residual.append(row @ angles - coupling["offset"])
+                jacobian.append(row)
+                drift.append(0)
+            return np.array(residual), np.array(jacobian), np.array(drift)
+
+        for _ in range(30):
+            residual, jacobian, _ = rows(angles, velocity)
+            angles = angles - np.linalg.lstsq(jacobian, residual, rcond=1e-9)[0]
+        residual, jacobian, _ = rows(angles, velocity)
+        velocity = velocity - np.linalg.lstsq(jacobian, jacobian @ velocity, rcond=1e-9)[0]
+        residual, jacobian, drift = rows(angles, velocity)
+        assert np.abs(residual).max() < 1e-14 and np.abs(jacobian @ velocity).max() < 1e-13, residual
+        q = configuration(angles)
+        mass = np.array(pin.crba(model, data, q))
+        mass = np.triu(mass) + np.triu(mass, 1).T
+        load = -np.array(pin.nonLinearEffects(model, data, q, velocity)) - damping * velocity
+        # Accelerations in the null space of the Jacobian: redundant rows do no harm.
+        particular = np.linalg.lstsq(jacobian, -drift, rcond=1e-9)[0]
+        _, singular, right = np.linalg.svd(jacobian)
+        free = right[(singular > 1e-9 * singular[0]).sum() :].T
+        acceleration = particular + free @ np.linalg.solve(free.T @ mass @ free, free.T @ (load - mass @ particular))
+        named_values = lambda prefix, values: {
+            f"{prefix}_{named(name)}": float(values[joint.idx_v]) for name, joint in list(zip(model.names, model.joints))[1:]
+        }
+        results[file.name] = {
+            "coordinates": named_values("q", angles),
+            "rates": named_values("q", velocity),
+            "accelerations": named_values("u", acceleration),
+        }
+    path.with_suffix(".loops.json").write_text(json.dumps({"tool": f"pinocchio {pin.__version__}", "files": results}) + "\n")
+
+
 if __name__ == "__main__":
     for path in sorted(HERE.glob("*.urdf")):
         urdf(path)
@@ -160,3 +268,4 @@ if __name__ == "__main__":
         mjcf(path)
     for name in ("leg_fourbar", "delta"):
         motion(HERE / f"{name}.xml")
+    loops(HERE / "leg_fourbar_tree.urdf")
