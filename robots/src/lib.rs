@@ -10,6 +10,7 @@
 mod fixed_bodies;
 mod inertia;
 mod loops_file;
+mod meshes;
 mod mjcf;
 mod model_text;
 mod names;
@@ -54,7 +55,7 @@ pub struct Options {
 pub fn import(source: &Source, loops: Option<&Source>, options: Options) -> Result<Import, Diagnostics> {
     let document = xml::parse(source)?;
     let root = document.root_element();
-    let reading = xml::Reading::new(options);
+    let reading = xml::Reading::new(options, &source.path);
     let read = match root.tag_name().name() {
         "robot" => urdf::read(root, options, &reading),
         "mujoco" => mjcf::read(root, &reading),

@@ -30,7 +30,7 @@ const END: &str = "{ link = \"rod\", xyz = [0, 0, 0.3] }";
 /// All mistakes of the file, each with its place.
 pub fn read(source: &Source, options: Options, robot: &mut Robot) -> Result<(), Diagnostics> {
     let (toml, table) = TomlReader::parse(source)?;
-    let mut file = LoopsFile { toml, reading: Reading::new(options), robot };
+    let mut file = LoopsFile { toml, reading: Reading::new(options, &source.path), robot };
     let table = table.get_ref();
     file.toml.schema(table);
     file.toml.report_unknown_keys(table, "a loops file", &SECTIONS);

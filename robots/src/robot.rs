@@ -249,6 +249,8 @@ pub struct Shape {
     pub solid: Solid,
     /// Pose of the shape in the axes of the body.
     pub pose: Pose,
+    /// Name of the mesh whose bounds the shape has; `None` for other shapes.
+    pub mesh: Option<String>,
 }
 
 /// Geometry of a shape, centred at its pose.

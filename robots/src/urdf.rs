@@ -4,14 +4,12 @@
 //! those of the joint that carries it; an inertia is about the mass centre, in the axes of its `<origin>`; a cylinder
 //! lies along axis 3; the ground's axis 3 points up.
 
+mod shapes;
+
 use crate::Options;
 use crate::pose::{Pose, roll_pitch_yaw};
-use crate::robot::{
-    Actuator, ActuatorInput, Body, Coupling, Inertia, Joint, JointIndex, JointMotion, Robot, Shape, Solid,
-};
-use crate::xml::{
-    Reading, XACRO, attribute_place, element, elements, fixed_numbers, number, numbers_of, place, vector,
-};
+use crate::robot::{Actuator, ActuatorInput, Body, Coupling, Inertia, Joint, JointIndex, JointMotion, Robot, Shape};
+use crate::xml::{Reading, XACRO, attribute_place, element, elements, number, numbers_of, place, vector};
 use nalgebra::{Matrix3, Vector3};
 use roxmltree::Node;
 use std::collections::BTreeMap;
@@ -226,8 +224,8 @@ fn read_link(node: Node<'_, '_>, reading: &Reading) -> (Option<Inertia>, Vec<Sha
     let inertia = element(node, "inertial").and_then(|inertial| read_inertial(inertial, reading));
     let shown: Vec<Node<'_, '_>> = elements(node).filter(|child| child.has_tag_name("visual")).collect();
     let tag = if shown.is_empty() { "collision" } else { "visual" };
-    let shapes = elements(node).filter(|child| child.has_tag_name(tag));
-    (inertia, shapes.filter_map(|shape| read_shape(shape, reading)).collect())
+    let shown = elements(node).filter(|child| child.has_tag_name(tag));
+    (inertia, shown.filter_map(|shape| shapes::read(shape, read_origin(shape, reading), reading)).collect())
 }
 
 /// Reads `<inertial>`. `None` for a link without mass and inertia, or after recording a mistake.
@@ -261,36 +259,6 @@ fn read_inertial(node: Node<'_, '_>, reading: &Reading) -> Option<Inertia> {
         return None;
     }
     (own.mass > 0.0 || own.tensor.amax() > 0.0).then(|| own.moved(&pose))
-}
-
-/// Reads the shape of a `<visual>` or `<collision>`. `None` for a mesh, or after recording a mistake.
-fn read_shape(node: Node<'_, '_>, reading: &Reading) -> Option<Shape> {
-    let pose = read_origin(node, reading);
-    let geometry = elements(element(node, "geometry")?).next()?;
-    let length = |name: &str| {
-        let found = number(geometry, name, reading);
-        if !geometry.has_attribute(name) {
-            let tag = geometry.tag_name().name();
-            reading.add(place(geometry), format!("`{tag}` has no `{name}`"), format!("add `{name}=\"…\"`"));
-        }
-        found
-    };
-    let solid = match geometry.tag_name().name() {
-        "sphere" => Solid::Sphere(length("radius")?),
-        "cylinder" => Solid::Cylinder(length("radius")?, length("length")?),
-        "capsule" => Solid::Capsule(length("radius")?, length("length")?),
-        "box" => Solid::Block(Vector3::from(fixed_numbers::<3>(geometry, "size", reading)?)),
-        "mesh" => {
-            let name = geometry.attribute("filename").unwrap_or("without a name");
-            reading.omit(format!("mesh {name}"));
-            return None;
-        }
-        other => {
-            reading.omit(format!("shape `{other}`"));
-            return None;
-        }
-    };
-    Some(Shape { solid, pose })
 }
 
 /// Reads the pose of a joint, and the joint; `None` in its place for a fixed joint.

@@ -1,12 +1,15 @@
 //! Elements and attributes of XML files, whose mistakes are collected with their places.
 
 use crate::Options;
+use crate::meshes::{Bounds, Meshes};
 use crate::numbers::{number_text, rounded_multiple};
-use crate::robot::{Omission, Robot};
+use crate::pose::Pose;
+use crate::robot::{Omission, Robot, Shape, Solid};
 use nalgebra::Vector3;
 use roxmltree::{Document, Node, ParsingOptions};
 use std::cell::RefCell;
 use std::ops::Range;
+use std::path::Path;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source, shortened_for_message};
 
 /// Deepest nesting of elements that is read.
@@ -21,12 +24,14 @@ pub struct Reading {
     omissions: RefCell<Vec<Omission>>,
     /// True if angles keep the digits of the file.
     is_as_written: bool,
+    /// Bounds of the meshes that the file names.
+    pub meshes: Meshes,
 }
 
 impl Reading {
-    /// Begins to read a file with these options.
-    pub fn new(options: Options) -> Self {
-        Self { is_as_written: options.is_as_written, ..Self::default() }
+    /// Begins to read the file at a path with these options.
+    pub fn new(options: Options, path: &Path) -> Self {
+        Self { is_as_written: options.is_as_written, meshes: Meshes::new(path), ..Self::default() }
     }
 
     /// Records a mistake at a byte range of the file, with advice.
@@ -42,6 +47,22 @@ impl Reading {
     /// Counts a part of the file that is left out or simplified.
     pub fn omit(&self, text: impl Into<String>) {
         Omission::add(&mut self.omissions.borrow_mut(), text.into());
+    }
+
+    /// Shape of a mesh with a name, of which the frame has the pose `pose`: the box at its bounds. `None` after
+    /// counting the mesh as left out, if it has no bounds.
+    pub fn mesh_shape(&self, name: &str, bounds: Result<Bounds, String>, pose: &Pose) -> Option<Shape> {
+        match bounds.and_then(|bounds| Ok((bounds.middle(), bounds.edges()?))) {
+            Ok((middle, edges)) => {
+                self.omit("form of a mesh: it is drawn as the box at its bounds");
+                let pose = pose.compose(&Pose::at(middle));
+                Some(Shape { solid: Solid::Block(edges), pose, mesh: Some(name.to_owned()) })
+            }
+            Err(reason) => {
+                self.omit(format!("mesh {name}: {reason}"));
+                None
+            }
+        }
     }
 
     /// Number of mistakes so far.

@@ -40,6 +40,7 @@ mod plots;
 mod random_scenes;
 mod regenerate;
 mod robot_loops;
+mod robot_meshes;
 mod robots;
 mod robots_as_urdf;
 mod scene;

@@ -40,5 +40,5 @@ pub fn shape_on_node(
     let NodePlace { node, position } = place;
     let rotation = places.frames[shape.frame].in_group;
     let pose = Pose { position: position + rotation * Vector3::from(middle), rotation: rotation * axes };
-    Ok((node, tripos_robots::Shape { solid, pose }))
+    Ok((node, tripos_robots::Shape { solid, pose, mesh: None }))
 }

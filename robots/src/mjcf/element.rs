@@ -60,6 +60,12 @@ impl<'a> Defaults<'a> {
         self.element_as(node.tag_name().name(), node, around, reading)
     }
 
+    /// Element with the defaults of its own class; an unknown class gives none.
+    pub fn known_element<'d, 'i>(&'d self, node: Node<'a, 'i>) -> Element<'d, 'a, 'i> {
+        let class = node.attribute("class").and_then(|name| self.classes.get(name));
+        Element { node, defaults: class.unwrap_or(&self.main).get(node.tag_name().name()) }
+    }
+
     /// Element as [`Self::element`] gives it, with the defaults that classes state under the tag `tag`.
     pub fn element_as<'d, 'i>(
         &'d self,

@@ -1,6 +1,7 @@
 //! Geoms of MJCF files: shapes, and the mass and inertia that they give to bodies.
 
 use super::element::{Angles, Element, read_pose};
+use super::mesh_assets::MeshAssets;
 use crate::pose::{Pose, turn_to};
 use crate::robot::{Inertia, Shape, Solid};
 use crate::xml::{Reading, place};
@@ -12,7 +13,7 @@ const DENSITY: f64 = 1000.0;
 
 /// A geom of a body.
 pub struct Geom {
-    /// Shape; `None` for a mesh and a height field.
+    /// Shape; `None` for a mesh without bounds and a height field.
     pub shape: Option<Shape>,
     /// Mass and inertia in the axes of the body; `None` for a geom without volume.
     pub inertia: Option<Inertia>,
@@ -23,7 +24,13 @@ pub struct Geom {
 }
 
 /// Reads a geom. `around` is the pose of the frame that contains it, in the axes of the body.
-pub fn read(element: &Element<'_, '_, '_>, around: &Pose, angles: &Angles, reading: &Reading) -> Geom {
+pub fn read(
+    element: &Element<'_, '_, '_>,
+    around: &Pose,
+    angles: &Angles,
+    assets: &MeshAssets,
+    reading: &Reading,
+) -> Geom {
     let group = element.number("group", reading).unwrap_or(0.0);
     let kind = element.text("type").unwrap_or(if element.text("mesh").is_some() { "mesh" } else { "sphere" });
     let size = element.numbers("size", reading).unwrap_or_default();
@@ -40,6 +47,15 @@ pub fn read(element: &Element<'_, '_, '_>, around: &Pose, angles: &Angles, readi
         }
     }
     let pose = around.compose(&own);
+    let mesh = element.text("mesh").filter(|_| !matches!(kind, "hfield" | "sdf"));
+    if let Some(name) = mesh.filter(|_| kind == "mesh" || size.is_empty()) {
+        let bounds = if kind == "mesh" {
+            assets.bounds(name, &reading.meshes)
+        } else {
+            Err(format!("a {kind} that MuJoCo fits to it is not read"))
+        };
+        return Geom { shape: reading.mesh_shape(name, bounds, &pose), inertia: None, group, is_mesh: true };
+    }
     let needed = match (kind, half) {
         ("plane" | "hfield" | "mesh" | "sdf", _) => 0,
         ("sphere", _) | (_, Some(_)) => 1,
@@ -81,7 +97,7 @@ pub fn read(element: &Element<'_, '_, '_>, around: &Pose, angles: &Angles, readi
         Inertia { mass, centre: Vector3::zeros(), tensor: Matrix3::from_diagonal(&(moments * mass)) }.moved(&pose)
     });
     Geom {
-        shape: Some(Shape { solid, pose }),
+        shape: Some(Shape { solid, pose, mesh: None }),
         inertia: inertia.filter(|inertia| inertia.mass != 0.0),
         group,
         is_mesh: false,

@@ -6,51 +6,24 @@
 //! `<connect>` is in the axes of the first body, one of `<weld>` in those of the second.
 
 mod actuators;
+mod compiler;
 mod element;
 mod equalities;
 mod geoms;
+mod mesh_assets;
 
 use crate::pose::Pose;
 use crate::robot::{Body, Inertia, Joint, JointIndex, JointMotion, Robot};
-use crate::xml::{Reading, elements, fixed_numbers, has_nonzero_number, place, vector};
-use element::{Angles, Defaults, Element, read_orientation, read_pose};
+use crate::xml::{Reading, elements, has_nonzero_number, place, vector};
+use compiler::{Compiler, InertiaSource};
+use element::{Defaults, Element, read_orientation, read_pose};
+use mesh_assets::MeshAssets;
 use nalgebra::{Matrix3, Vector3};
 use roxmltree::Node;
 use std::collections::BTreeMap;
 
 /// Acceleration of free fall of a file that states none, m/s².
 const GRAVITY: f64 = 9.81;
-
-/// Part of the file that gives a body its mass.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum InertiaSource {
-    /// `<inertial>` if the body has it, else its geoms.
-    Auto,
-    /// Geoms if the body has any, else `<inertial>`.
-    Geoms,
-    /// `<inertial>` alone.
-    Inertial,
-}
-
-/// Settings of `<compiler>`.
-struct Compiler {
-    /// Unit and sequence of angles.
-    angles: Angles,
-    /// True if a range alone limits a joint.
-    has_automatic_limits: bool,
-    /// Part of the file that gives a body its mass.
-    inertia_source: InertiaSource,
-    /// Smallest and largest group of geoms that give mass.
-    mass_groups: [f64; 2],
-    /// Smallest mass of a body, kg.
-    least_mass: f64,
-    /// Smallest principal moment of inertia, kg m².
-    least_moment: f64,
-    /// True if moments that no body has are replaced by their mean.
-    balances_moments: bool,
-    /// Mass of the whole robot, kg, to which all masses are scaled.
-    total_mass: Option<f64>,
-}
 
 /// A site or a body: index of the body (`None` for the ground), and the pose in its axes.
 #[derive(Clone)]
@@ -69,6 +42,8 @@ struct Reader<'a, 'm> {
     compiler: Compiler,
     /// Default classes.
     defaults: Defaults<'a>,
+    /// Meshes that the file declares.
+    meshes: MeshAssets,
     /// Robot so far.
     robot: Robot,
     /// Poses of the bodies on the ground in the reference configuration.
@@ -126,8 +101,9 @@ fn framed_elements<'a, 'i>(
 pub fn read(root: Node<'_, '_>, reading: &Reading) -> Robot {
     let mut reader = Reader {
         reading,
-        compiler: read_compiler(root, reading),
+        compiler: compiler::read(root, reading),
         defaults: Defaults::default(),
+        meshes: MeshAssets::default(),
         robot: Robot::new(root.attribute("model").unwrap_or("robot"), GRAVITY),
         reference_poses: Vec::new(),
         bodies: BTreeMap::new(),
@@ -141,6 +117,7 @@ pub fn read(root: Node<'_, '_>, reading: &Reading) -> Robot {
     for node in elements(root).filter(|node| node.has_tag_name("default")) {
         reader.defaults.read(node);
     }
+    reader.meshes = MeshAssets::new(root, &reader.defaults, &reading.meshes);
     reader.read_options(root);
     for node in elements(root).filter(|node| node.has_tag_name("worldbody")) {
         reader.read_content(node, &Surroundings { body: None, pose: Pose::default(), class: None });
@@ -161,53 +138,6 @@ pub fn read(root: Node<'_, '_>, reading: &Reading) -> Robot {
         }
     }
     reader.robot
-}
-
-/// Reads the settings of all `<compiler>` elements; the last value of a setting counts.
-fn read_compiler(root: Node<'_, '_>, reading: &Reading) -> Compiler {
-    let mut compiler = Compiler {
-        angles: Angles { unit: 1.0_f64.to_radians(), sequence: "xyz".to_owned() },
-        has_automatic_limits: true,
-        inertia_source: InertiaSource::Auto,
-        mass_groups: [0.0, 5.0],
-        least_mass: 0.0,
-        least_moment: 0.0,
-        balances_moments: false,
-        total_mass: None,
-    };
-    for node in elements(root).filter(|node| node.has_tag_name("compiler")) {
-        match node.attribute("angle") {
-            Some("radian") => compiler.angles.unit = 1.0,
-            Some("degree") => compiler.angles.unit = 1.0_f64.to_radians(),
-            _ => {}
-        }
-        if let Some(sequence) = node.attribute("eulerseq") {
-            if sequence.chars().count() == 3 && sequence.chars().all(|axis| "xyzXYZ".contains(axis)) {
-                sequence.clone_into(&mut compiler.angles.sequence);
-            } else {
-                let message = format!("`eulerseq` is `{sequence}`");
-                reading.add(place(node), message, "give three letters of x, y, z, X, Y and Z");
-            }
-        }
-        match node.attribute("inertiafromgeom") {
-            Some("true") => compiler.inertia_source = InertiaSource::Geoms,
-            Some("false") => compiler.inertia_source = InertiaSource::Inertial,
-            _ => {}
-        }
-        if let Some(range) = fixed_numbers::<2>(node, "inertiagrouprange", reading) {
-            compiler.mass_groups = range;
-        }
-        let number = |name: &str| fixed_numbers::<1>(node, name, reading).map(|[number]| number);
-        compiler.has_automatic_limits &= node.attribute("autolimits") != Some("false");
-        compiler.balances_moments |= node.attribute("balanceinertia") == Some("true");
-        compiler.least_mass = number("boundmass").unwrap_or(compiler.least_mass);
-        compiler.least_moment = number("boundinertia").unwrap_or(compiler.least_moment);
-        compiler.total_mass = number("settotalmass").filter(|mass| *mass > 0.0).or(compiler.total_mass);
-        if node.attribute("coordinate") == Some("global") {
-            reading.add(place(node), "poses in axes of the ground are no longer part of MJCF", "give local poses");
-        }
-    }
-    compiler
 }
 
 impl<'a> Reader<'a, '_> {
@@ -244,7 +174,8 @@ impl<'a> Reader<'a, '_> {
             let element = self.defaults.element(child, around.class, self.reading);
             match child.tag_name().name() {
                 "geom" => {
-                    let geom = geoms::read(&element, &around.pose, &self.compiler.angles, self.reading);
+                    let angles = &self.compiler.angles;
+                    let geom = geoms::read(&element, &around.pose, angles, &self.meshes, self.reading);
                     if around.body.is_none() {
                         self.robot.ground_shapes.extend(geom.shape);
                     } else {

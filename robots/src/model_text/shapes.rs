@@ -6,6 +6,7 @@ use crate::numbers::{number_text, without_rounding};
 use crate::pose::axis_permutation;
 use crate::robot::{Omission, Shape, Solid};
 use nalgebra::{Matrix3, Vector3};
+use tripos_derive::plain_text::{one_line, with_visible_characters};
 
 /// Frame and point of a shape.
 struct ShapePlace {
@@ -72,6 +73,9 @@ impl Writer<'_> {
             }
             Solid::Plane => entries.push(("", format!("kind = \"ground\", axis = {axis}"), place.middle)),
         }
+        let comment = shape.mesh.as_ref().map_or_else(String::new, |mesh| {
+            format!(" # Bounds of the mesh {}", with_visible_characters(&one_line(mesh)))
+        });
         for (suffix, keys, middle) in entries {
             let components = without_rounding([middle.x, middle.y, middle.z], 0.0);
             let position = if components.iter().all(|component| *component == 0.0) {
@@ -83,7 +87,7 @@ impl Writer<'_> {
             let (frame, point) = (&place.frame, &place.point);
             self.sections
                 .shapes
-                .push(format!("{name} = {{ {keys}, frame = \"{frame}\", at = \"{point}\"{position} }}"));
+                .push(format!("{name} = {{ {keys}, frame = \"{frame}\", at = \"{point}\"{position} }}{comment}"));
         }
     }
 
