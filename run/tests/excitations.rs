@@ -356,6 +356,15 @@ fn models_without_a_free_motion_are_refused() {
         ..ExcitationOptions::default()
     };
     assert!(refused(&arm(), &held).contains("no motion within the limits determines a base parameter"));
+    for (low, high, message) in [
+        (f64::NAN, 1.0, "the limits of `q1`, NaN and 1, are not both numbers"),
+        (-1.0, f64::NAN, "the limits of `q1`, -1 and NaN, are not both numbers"),
+        (1.0, -1.0, "the limits of `q1` exclude one another: 1 is above -1"),
+    ] {
+        let limits = vec![limit("q1", low, high), limit("q2", -1.0, 1.0)];
+        let wrong = ExcitationOptions { limits, ..ExcitationOptions::default() };
+        assert!(refused(&arm(), &wrong).contains(message), "{message}");
+    }
     let text = std::fs::read_to_string(file("fit/arm.toml")).unwrap() + "[domain]\nfar = \"q1^2 + q2^2 > 9\"\n";
     let near = ExcitationOptions { limits: limits_of_arm(), starts: 1, ..ExcitationOptions::default() };
     assert!(refused(&mechanism(&text), &near).contains("keeps the conditions of the domain: `far`"));

@@ -58,5 +58,6 @@ mod sympy_scripts;
 mod tried;
 mod trust;
 mod tutorials;
+mod urdf_refusals;
 mod verdicts;
 mod view;

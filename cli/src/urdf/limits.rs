@@ -10,23 +10,13 @@ pub fn coordinate_limits<'m>(model: &'m Model, tree: &Tree, numbers: &mut Number
     let mut limits = vec![(f64::NEG_INFINITY, f64::INFINITY); numbers.coordinates.len()];
     let (mut others, mut used) = (Vec::new(), Vec::new());
     for condition in &model.domain {
-        let affine = numbers.affine(condition.positive);
-        let bound = affine.and_then(|affine| match affine.slopes[..] {
-            [(coordinate, slope)] if has_limits(tree, coordinate) => {
-                Some((coordinate, slope, -affine.constant / slope))
-            }
-            _ => None,
-        });
-        let Some((coordinate, slope, bound)) = bound else {
+        let found = numbers.positive_range(condition.positive);
+        let Some((coordinate, (low, high))) = found.filter(|(coordinate, _)| has_limits(tree, *coordinate)) else {
             others.push(condition.name.as_str());
             continue;
         };
         let (lower, upper) = &mut limits[coordinate];
-        if slope > 0.0 {
-            *lower = lower.max(bound);
-        } else {
-            *upper = upper.min(bound);
-        }
+        (*lower, *upper) = (lower.max(low), upper.min(high));
         used.push((condition.name.as_str(), coordinate));
     }
     let is_empty = |coordinate: usize| limits[coordinate].0 > limits[coordinate].1;

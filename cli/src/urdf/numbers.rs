@@ -2,6 +2,7 @@
 
 use tripos_derive::Model;
 use tripos_derive::algebra::term::calculus::{Gradient, Substitution};
+use tripos_derive::algebra::value::positive_range::positive_range;
 use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 
@@ -82,6 +83,17 @@ impl Numbers {
     pub fn slope(&mut self, e: Expr, along: Expr) -> Expr {
         let slopes = Gradient::new(&[along]).apply(&mut self.arena, e);
         slopes.first().map_or(Expr::ZERO, |(_, slope)| *slope)
+    }
+
+    /// Only coordinate of a term, with the range in which the term is positive, rad or m. `None` if the term has
+    /// another number of coordinates, or is no limit of its coordinate.
+    pub fn positive_range(&mut self, positive: Expr) -> Option<(usize, (f64, f64))> {
+        let mentioned = |coordinate: &Expr| self.arena.mentions(positive, *coordinate);
+        let mut own = (0..self.coordinates.len()).filter(|at| mentioned(&self.coordinates[*at]));
+        let (Some(at), None) = (own.next(), own.next()) else { return None };
+        let known: Vec<(Expr, f64)> = self.parameters.iter().copied().zip(self.values.iter().copied()).collect();
+        let range = positive_range(&mut self.arena, &known, positive, self.coordinates[at])?;
+        Some((at, range))
     }
 
     /// Term as a number plus numbers times coordinates. `None` if it is no such sum, for example because its slopes

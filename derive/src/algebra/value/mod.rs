@@ -3,6 +3,7 @@
 
 pub(crate) mod field;
 pub(crate) mod interval;
+pub mod positive_range;
 pub mod proved_prime;
 pub mod range;
 pub mod rank;

@@ -3,15 +3,11 @@
 use super::QuantityLimit;
 use crate::code::compile_tape;
 use crate::{Error, Mechanism};
-use tripos_derive::algebra::term::calculus::{Differential, Substitution, expand_names};
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::term::calculus::{Substitution, expand_names};
+use tripos_derive::algebra::value::positive_range::positive_range;
 use tripos_derive::algebra::value::tape::Tape;
-use tripos_derive::algebra::{Arena, Expr, Function, Node};
 use tripos_derive::diagnostic::nearest_name_advice;
-
-/// Relative difference up to which two values of a condition are equal.
-const EQUAL: f64 = 1e-12;
-/// Coordinate at which the sign of an absolute value in a condition is tested, in SI units.
-const TESTED: [f64; 2] = [0.731, -1.287];
 
 /// Bound of a quantity, with the place that states it.
 #[derive(Clone, Debug)]
@@ -78,7 +74,8 @@ impl MotionLimits {
     /// generalized speed is the rate, and `p` the values of the parameters.
     ///
     /// # Errors
-    /// [`Error::Request`] if a name is unknown, if a coordinate has no limits, or if limits exclude one another.
+    /// [`Error::Request`] if a name is unknown, if a limit is NaN, if a coordinate has no limits, or if limits exclude
+    /// one another.
     pub fn new(model: &Mechanism, coordinate_of: &[usize], p: &[f64], given: &[QuantityLimit]) -> Result<Self, Error> {
         let ranges = model.coordinates.iter().map(|_| [(); 3].map(|()| Range::everything())).collect();
         let mut limits = Self { ranges, conditions: Vec::new(), unchecked: Vec::new() };
@@ -93,6 +90,7 @@ impl MotionLimits {
         }
         for limit in given {
             let (at, order) = quantity_of_name(model, coordinate_of, &limit.name)?;
+            check_limit(limit)?;
             limits.ranges[at][order].restrict(limit.low, limit.high, &format!("the limit of `{}`", limit.name));
         }
         limits.check(model)?;
@@ -143,6 +141,24 @@ impl MotionLimits {
     }
 }
 
+/// Checks that both ends of a limit are numbers, and that the lower end is not above the upper one. Infinite ends stand
+/// for no limit.
+///
+/// # Errors
+/// [`Error::Request`] otherwise.
+fn check_limit(limit: &QuantityLimit) -> Result<(), Error> {
+    let QuantityLimit { name, low, high } = limit;
+    if low.is_nan() || high.is_nan() {
+        let what = format!("the limits of `{name}`, {low} and {high}, are not both numbers");
+        return Err(Error::request(what, "give numbers, and an infinite one for a side without a limit"));
+    }
+    if low > high {
+        let what = format!("the limits of `{name}` exclude one another: {low} is above {high}");
+        return Err(Error::request(what, "give the lower limit first"));
+    }
+    Ok(())
+}
+
 /// Index of the coordinate, and order of the derivative, that a name of a limit means: `q1`, `q1'`, `q1''`, or a
 /// generalized speed `u1` or its rate `u1'`.
 ///
@@ -189,77 +205,12 @@ fn meaning_of_condition(
     let speeds = model.speeds.iter().zip(coordinate_of).map(|(speed, at)| (speed.symbol, *at, 1));
     let mentioned: Vec<(Expr, usize, usize)> =
         coordinates.chain(speeds).filter(|(symbol, ..)| parts.binary_search(symbol).is_ok()).collect();
+    let values: Vec<(Expr, f64)> = model.p().into_iter().zip(p.iter().copied()).collect();
     if let [(symbol, at, order)] = mentioned.as_slice()
-        && let Some((low, high)) = range_of_condition(&mut arena, &model.p(), p, positive, *symbol)?
+        && let Some((low, high)) = positive_range(&mut arena, &values, positive, *symbol)
     {
         return Ok(Meaning::Limits(*at, *order, low, high));
     }
     let what = "a condition of the domain";
     Ok(Meaning::Condition(compile_tape(&arena, &known, &[positive], what)?))
-}
-
-/// Range of a symbol in which a term is positive, if the term is linear in the symbol, or linear in the absolute value
-/// of a linear term, which it decreases. `None` for other terms.
-///
-/// # Errors
-/// [`Error::Request`] if the term contains a symbol without a value.
-fn range_of_condition(
-    arena: &mut Arena,
-    parameters: &[Expr],
-    p: &[f64],
-    positive: Expr,
-    symbol: Expr,
-) -> Result<Option<(f64, f64)>, Error> {
-    let absolute: Vec<(Expr, Expr)> = arena
-        .reachable(&[positive])
-        .into_iter()
-        .filter_map(|part| match arena.node(part) {
-            Node::Apply(Function::Abs, inner) if arena.mentions(part, symbol) => Some((part, *inner)),
-            _ => None,
-        })
-        .collect();
-    let branches = match absolute.as_slice() {
-        [] => vec![positive],
-        [(whole, inner)] => {
-            let negative = arena.neg(*inner);
-            [*inner, negative].map(|sign| Substitution::new(&[(*whole, sign)]).apply(arena, positive)).to_vec()
-        }
-        _ => return Ok(None),
-    };
-    let what = "a condition of the domain";
-    let known = [parameters, &[symbol]].concat();
-    let mut terms = vec![positive];
-    for branch in &branches {
-        let slope = Differential::partial(symbol).apply(arena, *branch);
-        if arena.mentions(slope, symbol) {
-            return Ok(None);
-        }
-        terms.extend([*branch, slope]);
-    }
-    let tape = compile_tape(arena, &known, &terms, what)?;
-    let at = |x: f64| tape.evaluate(&[p, &[x]].concat());
-    // A term in −|x| is the least of its branches, a term in |x| the largest.
-    for x in TESTED {
-        let values = at(x);
-        let least = (0..branches.len()).fold(f64::INFINITY, |least, branch| least.min(values[1 + 2 * branch]));
-        if (values[0] - least).abs() > EQUAL * values[0].abs().max(1.0) {
-            return Ok(None);
-        }
-    }
-    let origin = at(0.0);
-    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    for branch in 0..branches.len() {
-        let (constant, slope) = (origin[1 + 2 * branch], origin[2 + 2 * branch]);
-        // A root of −0 becomes 0.
-        let root = 0.0 - constant / slope;
-        if !root.is_finite() {
-            return Ok(None);
-        }
-        if slope > 0.0 {
-            low = low.max(root);
-        } else {
-            high = high.min(root);
-        }
-    }
-    Ok(Some((low, high)))
 }
