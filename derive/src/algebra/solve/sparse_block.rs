@@ -66,7 +66,7 @@ impl<'a> SparseBlock<'a> {
             }
             for (at, column) in columns[..part.len()].iter().enumerate() {
                 let numerator = full.determinant_without(arena, simplifier, at);
-                let signed = if (part.len() - 1 - at) % 2 == 0 { numerator } else { arena.neg(numerator) };
+                let signed = if (part.len() - 1 - at).is_multiple_of(2) { numerator } else { arena.neg(numerator) };
                 let quotient = arena.div(signed, determinant).expect("the determinant is not zero");
                 x[*column] = self.labels.name_unknown(arena, *column, quotient);
             }

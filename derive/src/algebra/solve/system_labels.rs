@@ -62,6 +62,7 @@ impl SystemLabels {
 
 impl BlockLabels<'_> {
     /// True if each unknown gets its own name as a whole.
+    #[must_use]
     pub fn of_whole_unknowns(&self) -> bool {
         self.of.symbols.is_empty()
     }

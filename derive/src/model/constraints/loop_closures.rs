@@ -219,7 +219,7 @@ impl LoopMechanism<'_> {
                 .map(|(place, other)| (place, other.axis))
                 .collect();
             let frame = if group.len() == 3 {
-                self.frame_of_shortest_factors(arena, &frames, &rate, closure, unknowns)
+                frame_of_shortest_factors(arena, &frames, &rate, closure, unknowns)
             } else {
                 closure.frame
             };
@@ -230,37 +230,36 @@ impl LoopMechanism<'_> {
         }
         rates.into_iter().map(|rate| rate.unwrap_or(Expr::ZERO)).collect()
     }
+}
 
-    /// Frame, among those of the parts of a closure's rate and the closure's own, in which the factors of the
-    /// unknowns are shortest.
-    fn frame_of_shortest_factors(
-        &self,
-        arena: &mut Arena,
-        frames: &Frames,
-        rate: &Vector,
-        closure: &Closure,
-        unknowns: &[Expr],
-    ) -> usize {
-        let mut form = LinearForm::new(unknowns);
-        let mut length = |arena: &mut Arena, frame: usize| {
-            let components = frames.express_frame_by_frame(arena, rate, frame, "v", &closure.joint);
-            let mut sum = 0_usize;
-            for e in components {
-                let Ok((row, _)) = form.coefficients(arena, e) else { return usize::MAX };
-                for e in row.into_iter().filter(|e| *e != Expr::ZERO) {
-                    let e = expand_names(arena, e);
-                    sum = sum.saturating_add(length_up_to_names(arena, e));
-                }
-            }
-            sum
-        };
-        let mut best = (closure.frame, length(arena, closure.frame));
-        for (frame, _) in &rate.parts {
-            let long = length(arena, *frame);
-            if long < best.1 {
-                best = (*frame, long);
+/// Frame, among those of the parts of a closure's rate and the closure's own, in which the factors of the
+/// unknowns are shortest.
+fn frame_of_shortest_factors(
+    arena: &mut Arena,
+    frames: &Frames,
+    rate: &Vector,
+    closure: &Closure,
+    unknowns: &[Expr],
+) -> usize {
+    let mut form = LinearForm::new(unknowns);
+    let mut length = |arena: &mut Arena, frame: usize| {
+        let components = frames.express_frame_by_frame(arena, rate, frame, "v", &closure.joint);
+        let mut sum = 0_usize;
+        for e in components {
+            let Ok((row, _)) = form.coefficients(arena, e) else { return usize::MAX };
+            for e in row.into_iter().filter(|e| *e != Expr::ZERO) {
+                let e = expand_names(arena, e);
+                sum = sum.saturating_add(length_up_to_names(arena, e));
             }
         }
-        best.0
+        sum
+    };
+    let mut best = (closure.frame, length(arena, closure.frame));
+    for (frame, _) in &rate.parts {
+        let long = length(arena, *frame);
+        if long < best.1 {
+            best = (*frame, long);
+        }
     }
+    best.0
 }
