@@ -5,12 +5,16 @@
 Exit status 0 if every claim holds, else 1 and the reason. docs/certificate.md states the format and what is checked.
 This program decides what must be proved. The certificate supplies multipliers, a prime, and lists to compare with.
 """
-import hashlib, json, math, sys, tomllib
+import hashlib, json, math, re, sys, tomllib
 from pathlib import Path
 from claims import Case
 from formula import Bounds, NextPoint, Refused, Residue, Residues, need
 
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError)
+LINES = {frozenset(keys.split()) for keys in (
+    "tripos_certificate model", "model_text sha256", "derivation sha256", "combination named multipliers",
+    "reactions named values", "integral value multipliers named is_energy is_momentum_of", "nonzero", "not_certified",
+    "prime witness", "identities")}
 BITS, Q = 64, 2**127 - 1  # A false claim must pass with a chance below 2^-BITS. Q is a prime of Mersenne.
 
 
@@ -43,24 +47,58 @@ def check_prime(k, witness, digest):
 
 def read_certificate(text):
     """The certificate as a dictionary, with the hash of its statement. Refuses wrong hashes and unknown lines."""
-    records = [json.loads(line, object_pairs_hook=unique) for line in text.split("\n") if line]
-    need(records[0].get("tripos_certificate") == 1, "this is no certificate of version 1")
-    model, derivation, *body = records[1:-2]
+    lines = text.split("\n")
+    need(lines.pop() == "" and all(lines), "the last line is open, or a line is empty")
+    records = [json.loads(line, object_pairs_hook=unique) for line in lines]
+    need(all(frozenset(record) in LINES for record in records), "a line has unknown members")
+    head, model, derivation, *body, nonzero, left_out, prime, identities = records
+    need(head["tripos_certificate"] == 1, "this is no certificate of version 1")
+    need(head["model"] == tomllib.loads(model["model_text"])["name"], "the title is another than the model's")
     for record, key in ((model, "model_text"), (derivation, "derivation")):
         need(record["sha256"] == digest(record[key]), f"the hash of the {key} is wrong")
-    c = {"model_text": model["model_text"], "derivation_text": derivation["derivation"], **records[-2], **records[-1]}
+    c = {"model_text": model["model_text"], "derivation_text": derivation["derivation"], "nonzero": nonzero["nonzero"]}
+    need(left_out["not_certified"], "the certificate does not say what it leaves out")
+    c |= {"prime": prime["prime"], "witness": prime["witness"], "identities": identities["identities"]}
     c["derivation"] = json.loads(derivation["derivation"], object_pairs_hook=unique)
-    c["statement"] = digest(text[:text.rindex('{"prime"')])
+    c["statement"] = digest("".join(line + "\n" for line in lines[:-2]))
     c["integrals"] = [line for line in body if "integral" in line]
     c["reactions"] = [line for line in body if "reactions" in line]
     c["combinations"] = {line["combination"]: line for line in body if "combination" in line}
-    for line in body[-2:]: c |= line
     c["named"] = {f["formulation"]: f["named"] + f["accelerations"] for f in c["derivation"]["formulations"]}
     c["named"] |= {"multipliers of " + name: line["named"] for name, line in c["combinations"].items()}
     c["named"] |= {"reactions of " + line["reactions"]: line["named"] for line in c["reactions"]}
     c["named"] |= {"integral " + line["integral"]: line["named"] for line in c["integrals"]}
-    need(len(c["named"]) == len(c["derivation"]["formulations"]) + len(body) - 2, "a line is unknown or given twice")
+    need(len(c["named"]) == len(c["derivation"]["formulations"]) + len(body), "a line is unknown or given twice")
+    check_names(c)
     return c
+
+
+def check_names(c):
+    """Every variable has a name of its own, and no named term has that of a variable, a parameter, the time or pi."""
+    by = {f["formulation"]: f for f in c["derivation"]["formulations"]}
+    kane, lagrange = by.get("kane"), by.get("lagrange")
+    need(kane and lagrange, "not checked: a certificate needs Kane's and Lagrange's equations")
+    coordinates = lagrange["rows"][:len(kane["coordinate_rates"])]
+    model = tomllib.loads(c["model_text"])
+    stated = {name for section in ("parameters", "inputs", "expressions") for name in model.get(section, {})}
+    fixed = {*stated, "pi", *kane["rows"], *coordinates}
+    # Names such as `m{i in 1..3}` stand for several.
+    repeated = re.compile("|".join(re.sub(r"\\\{.*?\\\}", ".+", re.escape(n)) for n in stated if "{" in n) or "(?!)")
+    fixed |= {q + "'" for q in coordinates}
+    unknowns = {x for f in by.values() for x in f["unknowns"]}
+    need(all(len(set(f["unknowns"])) == len(f["unknowns"]) for f in by.values()), "an unknown is given twice")
+    need(not unknowns & (fixed | {"t"}), "an unknown has the name of a variable")
+    for name, terms in c["named"].items():
+        # The accelerations of other formulations may go by way of the rates of the speeds.
+        solved = {*by[name]["unknowns"], *kane["unknowns"]} if name in by else set()
+        written = {term["name"] for term in (by[name]["named"] if name in by else terms)}
+        own = {term["name"] for term in terms}
+        need(not any(map(repeated.fullmatch, own)), f"{name}: a named term has the name of a parameter")
+        need(all(term.isidentifier() for term in own - solved), f"{name}: a named term has no name")
+        need(not written & unknowns and not (own - solved) & (fixed | unknowns | {"t"}),
+             f"{name}: a named term has the name of a variable")
+    # Without the clock, the time would be a constant.
+    need("t" not in coordinates or kane["coordinate_rates"][coordinates.index("t")] == "1", "the time does not pass")
 
 
 def unique(pairs):
@@ -112,7 +150,7 @@ def read(path, inside=""):
 def main(argv):
     options = dict(zip(argv[1::2], argv[2::2], strict=True))
     unknown = set(options) - {"--model", "--derivation"}
-    sys.setrecursionlimit(10**6)
+    sys.setrecursionlimit(20_000)
     try:
         need(not unknown, f"unknown options {unknown}")
         model, derivation = options.get("--model"), options.get("--derivation")

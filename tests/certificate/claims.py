@@ -36,6 +36,7 @@ class Case:
         self.free = [domain.symbol(s + "'") for s in speeds]
         self.symbols = motion(dict(zip(speeds, self.free)))  # No formula may contain u' or q''.
         self.speeds, self.coordinates, self.motion, self.zero = speeds, coordinates, motion, zero
+        self.rates_at, self.velocity = rates_at, velocity
 
     def scope(self, name, symbols, named=None, more=()):
         terms = [*(self.by[name]["named"] if named is None else named), *more]
@@ -58,6 +59,7 @@ class Case:
         """Every claim, as (name, left, right). Each holds if both sides are the same fraction."""
         scopes = {name: self.scope(name, self.symbols) for name in self.by}
         matrix, force = self.system("kane", scopes["kane"])
+        if isinstance(self.domain, Residues): self.check_motion(matrix, scopes)
         for name, f in self.by.items():
             m, g = self.system(name, scopes[name])
             maps, count = [], 0
@@ -70,6 +72,13 @@ class Case:
         for line in self.certificate["reactions"]: yield from self.reactions(line, line["reactions"])
         residual = [self.dot(row, self.free) - b for row, b in zip(matrix, force)]
         for i in self.certificate["integrals"]: yield from self.integral(i, residual, scopes["kane"])
+
+    def check_motion(self, matrix, scopes):
+        """Kane's mass matrix has full rank, and the rates of the coordinates are Kane's in all formulations."""
+        need(rank(matrix) == len(self.speeds), "Kane's mass matrix is singular")
+        for name, f in self.by.items():
+            stated = [scopes[name](rate)[0].v for rate in f["coordinate_rates"]]
+            need(stated == [v.v for v in self.velocity], f"{name}: the rates of the coordinates are not Kane's")
 
     def combination(self, name, m, g):
         """Multipliers of the rows that give Kane's rows, their count, and the system in the rates of the speeds."""
@@ -143,7 +152,10 @@ class Case:
             momentum = self.scope("lagrange", still)(self.by["lagrange"]["kinetic_energy"])[1]
             yield (name, "value"), value, momentum or self.zero
         if isinstance(self.domain, Residues):
-            varied = {k: (v[0], self.domain.random("along", k)) for k, v in self.symbols.items()}
+            along = {k: self.domain.random("along", k) for k in (*self.coordinates, *self.speeds)}
+            varied = {k: (self.symbols[k][0], rate) for k, rate in along.items()}
+            rates = self.rates_at({q: varied[q] for q in self.coordinates}, along)
+            varied |= {q + "'": rate for q, rate in zip(self.coordinates, rates)}
             rate = self.scope(name, varied, i["named"])(i["value"])[1]
             need(rate and rate.v, f"{name}: the integral is a constant")
 

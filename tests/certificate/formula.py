@@ -55,7 +55,7 @@ def parse(text):
         if peek() != "^": return base
         sign = -1 if take() and peek() == "-" and take() else 1
         number = take()[0]
-        need(number.isdigit(), f"`{text[:80]}` has an exponent that is no whole number")
+        need(number.isdigit() and len(number) < 4, f"`{text[:80]}` has an exponent that is no whole number below 1000")
         return tree("^", base, sign * int(number))
     value = total()
     need(at[0] == len(tokens) - 2, f"`{text[:80]}` is no formula")
@@ -136,7 +136,8 @@ class Scope:
         if kind == "n": return self.number(a)
         if kind == "s":
             if a in self.named: return self.value(self.named[a])
-            need(a[-1] != "'" or a in self.symbols, f"a formula contains the rate {a}")
+            need(a[-1:].isidentifier() or a[-1:].isalnum() or a in self.symbols, f"a formula contains the rate {a}")
+            need(a != "t" or a in self.symbols, "a formula contains the time, which is no coordinate")
             return self.symbols.get(a) or (self.domain.symbol(a), None)
         if kind in "+*":
             x = self.value(a[0])

@@ -212,15 +212,16 @@ class World:
             h = [(a[0] - self.formula(self.bodies[body]["mass"])[0] * b, None) for a, b in zip(h, less)]
         return w, h
 
-    def end(self, load, body_key, point_key):
-        """Point of a load, and the velocity of the material there."""
+    def end(self, load, body_key, point_key, otherwise=None):
+        """Point of a load, and the velocity of the material there. `otherwise` is the point if the load names none."""
         body = load.get(body_key)
         if body in self.bodies:
             centre = self.centre(body)
-            r = self.point(load[point_key]) if point_key in load else centre
+            r = self.point(load[point_key]) if point_key in load else otherwise or centre
             arm = [x[0] - y[0] for x, y in zip(r, centre)]
             return r, [v + w for v, w in zip(self.velocity(centre), cross(self.spin(self.axes(body)), arm))]
-        r = self.point(load[point_key] if point_key in load else self.model["particles"][body]["point"])
+        named = load.get(point_key) or (not otherwise and self.model["particles"][body]["point"])
+        r = self.point(named) if named else otherwise
         return r, self.velocity(r) if body else [self.zero[0]] * 3
     def velocity(self, r): return [x[1] or self.zero[0] for x in r]
 
@@ -239,10 +240,10 @@ class World:
             yield [x[0] for x in times(self.frame(g["frame"]), weight)], self.velocity(r)
         for f in self.model.get("forces", {}).values():
             force = [x[0] for x in times(self.frame(f["frame"]), self.vector(f["vector"]))]
-            yield force, self.end(f, "on", "at")[1]
+            place, velocity = self.end(f, "on", "at")
+            yield force, velocity
             if "against" in f:
-                same = f if "against_at" in f else {**f, "against_at": f["at"]} if "at" in f else f
-                yield [self.zero[0] - x for x in force], self.end(same, "against", "against_at")[1]
+                yield [self.zero[0] - x for x in force], self.end(f, "against", "against_at", place)[1]
         for t in self.model.get("torques", {}).values():
             torque = [x[0] for x in times(self.frame(t["frame"]), self.vector(t["vector"]))]
             for body, sign in ((t["on"], 1), (t.get("against"), -1)):
@@ -419,7 +420,7 @@ def is_planar(model):
 
 
 def main(argv):
-    sys.setrecursionlimit(10**6)
+    sys.setrecursionlimit(20_000)
     status = 0
     for path in argv:
         try:
