@@ -120,7 +120,7 @@ fn check(random: &mut Random, kinds: &[usize]) {
     let size = rates.iter().fold(1.0, |most: f64, rate| most.max(rate.abs()));
     for (at, (after, before)) in moved(h).into_iter().zip(moved(-h)).enumerate() {
         let slope = (after - before) / (2.0 * h);
-        assert!(slope.abs() < 1e-6 * size.powi(3), "{kinds:?}: {} opens by {slope}", model.loops[at].name);
+        assert!(slope.abs() < 1e-8 * size.powi(3), "{kinds:?}: {} opens by {slope}", model.loops[at].name);
     }
     // Each generalized speed is what its definition says.
     let mut in_rates = State { symbols: state.symbols.clone(), values: state.values.clone() };

@@ -69,6 +69,10 @@ class Case:
                 for what in ("kinetic_energy", "potential_energy", "power"):
                     yield (name, what), scopes[name](f[what])[0], scopes["kane"](self.kane[what])[0]
             if f["accelerations"]: yield from self.accelerations(name, maps, count)
+        stated = {line["reactions"] for line in self.certificate["reactions"]}
+        for name, f in self.by.items():
+            is_complete = name in stated or name == "lagrange" or len(f["unknowns"]) == len(self.speeds)
+            need(is_complete or not self.kane["accelerations"], f"{name}: the values of the reactions are missing")
         for line in self.certificate["reactions"]: yield from self.reactions(line, line["reactions"])
         residual = [self.dot(row, self.free) - b for row, b in zip(matrix, force)]
         for i in self.certificate["integrals"]: yield from self.integral(i, residual, scopes["kane"])

@@ -53,7 +53,7 @@ pub fn solve_blocks(
         let mut block: Vec<Vec<Expr>> = rows.iter().map(|r| columns.iter().map(|c| a[*r][*c]).collect()).collect();
         let mut right: Vec<Expr> =
             rows.iter().map(|r| right_side(arena, simplifier, &a[*r], b[*r], &x, &columns)).collect();
-        let names = labels.and_then(|labels| labels.of_long_block(arena, &block, &rows, &columns));
+        let names = labels.and_then(|labels| labels.of_block(arena, &block, &rows, &columns));
         if let Some(names) = &names {
             names.name_entries(arena, simplifier, &mut block, &mut right);
         }
@@ -67,10 +67,6 @@ pub fn solve_blocks(
         };
         let solution = match names {
             Some(names) => names.name_unknowns(arena, simplifier, &solution),
-            None => solution,
-        };
-        let solution = match labels {
-            Some(labels) => labels.name_whole_unknowns(arena, &columns, solution),
             None => solution,
         };
         for (column, value) in columns.iter().zip(solution) {

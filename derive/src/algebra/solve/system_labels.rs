@@ -38,16 +38,9 @@ pub struct BlockLabels<'a> {
 }
 
 impl SystemLabels {
-    /// The unknowns with the given columns, each named as a whole. Unchanged if coefficients of symbols get names.
-    pub fn name_whole_unknowns(&self, arena: &mut Arena, columns: &[usize], unknowns: Vec<Expr>) -> Vec<Expr> {
-        if !self.symbols.is_empty() {
-            return unknowns;
-        }
-        unknowns.into_iter().zip(columns).map(|(e, column)| arena.name(e, &self.unknowns[*column])).collect()
-    }
-
-    /// Labels of the block with the given rows and columns. `None` if the block is so short that it needs no names.
-    pub fn of_long_block<'a>(
+    /// Labels of the block with the given rows and columns. `None` if the block is so short that its terms need no
+    /// names, unless each unknown gets its own.
+    pub fn of_block<'a>(
         &'a self,
         arena: &Arena,
         block: &[Vec<Expr>],
@@ -97,8 +90,11 @@ impl BlockLabels<'_> {
         if length_up_to_names(arena, e) > LONG_TERM { arena.name(e, &format!("minor_{first}")) } else { e }
     }
 
-    /// The block's unknowns, with names for their long coefficients.
+    /// The block's unknowns, each named as a whole, or with names for their long coefficients.
     pub fn name_unknowns(&self, arena: &mut Arena, simplifier: &mut Simplifier, unknowns: &[Expr]) -> Vec<Expr> {
+        if self.of_whole_unknowns() {
+            return unknowns.iter().enumerate().map(|(column, e)| self.name_unknown(arena, column, *e)).collect();
+        }
         let labels = self.columns.iter().map(|column| &self.of.unknowns[*column]);
         let named = unknowns.iter().zip(labels).map(|(e, label)| {
             self.name_coefficients(arena, simplifier, *e, &format!("ratio_{label}"), &format!("drift_{label}"))
