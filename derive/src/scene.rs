@@ -17,7 +17,7 @@ use starts::state::Start;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-use tripos_traits::{Direction, DoubleDouble};
+use tripos_traits::{Ball, Direction, DoubleDouble};
 
 pub use families::neighbours::SceneNeighbours;
 pub use families::scene_family::Family;
@@ -35,8 +35,9 @@ pub use settings::integration::{
     AccelerationSolution, Integration, Integrator, ProjectionTarget, SAMPLES, STEP_LIMITS,
 };
 pub use settings::outputs::{ENERGIES, load_output};
+pub use starts::enclosed_scene::{EnclosedScene, enclosed_scene};
 pub use starts::loops::{DependentLoop, Loops};
-pub use starts::start::{ExactStart, InitialMotion, SolvedVariable};
+pub use starts::start::{EnclosedStart, ExactStart, InitialMotion, SolvedVariable};
 pub use starts::state::{State, load_state};
 pub use starts::state_with_unknowns::{StateWithUnknowns, load_state_with_unknowns};
 
@@ -227,7 +228,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     let title = title.map_or_else(String::new, |title| title.text);
     let about = values.scene_text(table, "about").unwrap_or_default();
     values.reader.finish()?;
-    let Start { q, u, exact, closed } = numbers.start;
+    let Start { q, u, exact, closed, .. } = numbers.start;
     Ok(Scene {
         source: source.clone(),
         title,
@@ -302,6 +303,8 @@ struct SceneNumbers {
     start: Start,
     /// First and last instant, s; `None` after an error.
     span: Option<(f64, f64)>,
+    /// First and last instant, s, as balls that contain them; `None` after an error.
+    enclosed_span: Option<(Ball, Ball)>,
     /// Settings of the integration.
     integration: Integration,
     /// Coefficients of restitution and friction, in the order of the scene's contacts.
@@ -330,10 +333,11 @@ impl<'a> ValueReader<'a, '_> {
             (Some(_), None) => None,
         };
         let p = parameters.unwrap_or_default();
+        let enclosed_span = span.as_ref().map(|(from, to)| (from.enclosure(), to.enclosure()));
         let span = span.map(|(from, to)| (from.double, to.double));
         let integration = self.integration(table, &p);
         let coefficients = self.impact_coefficients(table, &p);
-        SceneNumbers { coefficients, p, start: start.unwrap_or_default(), span, integration }
+        SceneNumbers { coefficients, p, start: start.unwrap_or_default(), span, enclosed_span, integration }
     }
 
     /// Reads `span`: first and last instant, s. If it is absent or wrong, an error is recorded and

@@ -204,16 +204,35 @@ pub fn interpreted_code(
     Ok(Code::interpreted(code.map_err(|why| interpretation_error(&by.name(), &why))?))
 }
 
+/// Compiles the equations of a model by a formulation to tapes, with eliminated accelerations.
+///
+/// # Errors
+/// As for [`runnable_code`].
+pub(crate) fn solved_tapes(model: &Mechanism, by: &EquationsOrigin) -> Result<InterpretedEquations, Error> {
+    let derivation = derive_or_read_equations(model, by)?;
+    let code = InterpretedEquations::new(model, &derivation).map_err(InterpretationError::from);
+    code.and_then(|code| code.with_solved_accelerations(&derivation))
+        .map_err(|why| interpretation_error(&by.name(), &why))
+}
+
 /// Compiles the reduced equations of a scene to tapes for interpretation, with the scene's outputs.
 ///
 /// # Errors
 /// [`Error::Request`] if the equations contain a symbol that has no value during a run, or if they cannot be
 /// solved for v̇. The equations of a reduction never contain such a symbol.
 pub fn interpreted_scene_code(reduction: &Reduction) -> Result<Code, Error> {
+    Ok(Code::interpreted(solved_scene_tapes(reduction)?))
+}
+
+/// Compiles the reduced equations of a scene to tapes, with eliminated accelerations and the scene's outputs.
+///
+/// # Errors
+/// As for [`interpreted_scene_code`].
+pub(crate) fn solved_scene_tapes(reduction: &Reduction) -> Result<InterpretedEquations, Error> {
     let derivation = &reduction.derivation;
     let code = InterpretedEquations::new(&reduction.model, derivation).map_err(InterpretationError::from);
     let code = code.and_then(|code| Ok(code.with_solved_accelerations(derivation)?.with_scene_outputs(reduction)?));
-    Ok(Code::interpreted(code.map_err(|why| interpretation_error(&EquationsOrigin::Reduced.name(), &why))?))
+    code.map_err(|why| interpretation_error(&EquationsOrigin::Reduced.name(), &why))
 }
 
 /// Compiles the reduced equations of a scene to tapes for interpretation, with the scene's outputs but without

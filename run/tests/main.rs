@@ -22,6 +22,7 @@ mod planar;
 mod random;
 mod random_trees;
 mod reactions;
+mod rigorous;
 mod rough;
 mod saltation;
 mod sampled;

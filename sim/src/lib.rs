@@ -58,6 +58,7 @@ mod methods;
 pub mod projection;
 pub mod quadrature;
 mod right_hand_side;
+pub mod rigorous_run;
 mod rounding;
 mod solution;
 mod step_polynomial;

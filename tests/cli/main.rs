@@ -39,6 +39,7 @@ mod pictures;
 mod plots;
 mod random_scenes;
 mod regenerate;
+mod rigorous;
 mod robot_loops;
 mod robot_meshes;
 mod robots;

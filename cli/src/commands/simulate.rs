@@ -1,6 +1,7 @@
 //! Command `tripos simulate`: runs a scene once.
 
 mod gradient;
+mod rigorous;
 mod sensitivity;
 
 use crate::arguments::Simulate;
@@ -36,6 +37,9 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     if let Some(path) = &request.csv {
         let existing = if request.overwrite { ExistingFilePolicy::Replaced } else { ExistingFilePolicy::Kept };
         check_csv(path, existing, &model, &scene)?;
+    }
+    if request.rigorous {
+        return rigorous::simulate_rigorously(request, &model, &scene, &set, how.by.as_ref());
     }
     interruption::listen_for_interruption();
     interruption::show_progress_bar(scene.span);

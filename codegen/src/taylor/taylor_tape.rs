@@ -102,20 +102,13 @@ impl<S: Numeric> TapeCoefficients<'_, S> {
     /// Returns the convolution Σ a_j b_{k−j} over `from` ≤ j < `to`. Here k is the order that is being computed, and
     /// `a` and `b` are the indices of the two series.
     fn convolution(&self, a: usize, b: usize, from: usize, to: usize) -> S {
-        self.weighted_convolution(a, b, from, to, |_| S::int(1))
+        S::sum_of_products((from..to).map(|j| (self.of(j, a), self.of(self.k - j, b))))
     }
 
     /// Returns the convolution Σ j a_j b_{k−j} over `from` ≤ j < `to`. Here k is the order that is being computed,
     /// and `a` and `b` are the indices of the two series.
     fn counted_convolution(&self, a: usize, b: usize, from: usize, to: usize) -> S {
-        self.weighted_convolution(a, b, from, to, whole_number)
-    }
-
-    /// Returns the convolution Σ f(j) a_j b_{k−j} over `from` ≤ j < `to`. Here f is `factor`, k is the order that is
-    /// being computed, and `a` and `b` are the indices of the two series.
-    fn weighted_convolution(&self, a: usize, b: usize, from: usize, to: usize, factor: impl Fn(usize) -> S) -> S {
-        let products = (from..to).map(|j| factor(j) * self.of(j, a) * self.of(self.k - j, b));
-        products.reduce(|sum, product| sum + product).unwrap_or(S::int(0))
+        S::sum_of_products((from..to).map(|j| (whole_number::<S>(j) * self.of(j, a), self.of(self.k - j, b))))
     }
 
     /// Computes the coefficient of order k of the series with the index `at` by its rule.

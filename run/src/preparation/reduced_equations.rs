@@ -1,7 +1,7 @@
 //! Reduced equations of a scene, ready to run: the smallest system that gives all outputs of the
 //! scene.
 
-use super::exact_start::symbols_known_at_start;
+use super::exact_start::{StartNumbers, symbols_known_at_start};
 use super::moving_frame_start::move_start_to_section;
 use crate::code::{Code, CodePreparation, compile_tape, compiled_scene_code, interpreted_scene_code};
 use crate::error::Error;
@@ -9,10 +9,11 @@ use crate::mechanism::Mechanism;
 use tripos_codegen::plan::{Costs, scene_costs};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::value::tape::Numeric;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::reduce::{ReducedQuantity, Reduction, ReductionBasis};
-use tripos_derive::scene::{ExactStart, InitialMotion, Scene, SceneEvent};
-use tripos_traits::{AbsoluteTolerance, DoubleDouble};
+use tripos_derive::scene::{EnclosedStart, ExactStart, InitialMotion, Scene, SceneEvent};
+use tripos_traits::{AbsoluteTolerance, Ball, DoubleDouble};
 
 /// Reduced equations of motion of a scene, with the scene in the variables of these equations.
 pub struct ReducedScene {
@@ -146,7 +147,7 @@ impl ReducedScene {
 /// `Error::Request` if a symbol has no value at the start. `Error::Stopped` if the start cannot be
 /// moved to the section of the moving frame.
 fn reduced_start(reduction: &Reduction, model: &Model, exact: &ExactStart) -> Result<[Vec<DoubleDouble>; 3], Error> {
-    let (mut symbols, mut values) = symbols_known_at_start(model, exact)?;
+    let (mut symbols, mut values) = symbols_known_at_start(model, StartNumbers::from(exact))?;
     if let Some(frame) = &reduction.frame {
         let count = model.parameters.len() + model.coordinates.len() + model.speeds.len();
         // Rates in the scene file belong to the start before it is moved along symmetries. The generalized
@@ -157,6 +158,29 @@ fn reduced_start(reduction: &Reduction, model: &Model, exact: &ExactStart) -> Re
         let turned = move_start_to_section(reduction.arena(), frame, &symbols, &values, &states)?;
         values.extend(turned);
     }
+    variables_at_start(reduction, &symbols, &values)
+}
+
+/// Computes the parameters, coordinates and motion variables of a reduced system without a moving frame at the start
+/// of a scene, in balls that contain them.
+///
+/// # Errors
+/// `Error::Request` if a symbol has no value at the start.
+pub fn enclosed_reduced_start(
+    reduction: &Reduction,
+    model: &Model,
+    start: &EnclosedStart,
+) -> Result<[Vec<Ball>; 3], Error> {
+    let (symbols, values) = symbols_known_at_start(model, StartNumbers::from(start))?;
+    variables_at_start(reduction, &symbols, &values)
+}
+
+/// Computes the parameters, coordinates and motion variables of a reduced system from the values of symbols at the
+/// start of a scene.
+///
+/// # Errors
+/// `Error::Request` if another symbol occurs.
+fn variables_at_start<S: Numeric>(reduction: &Reduction, symbols: &[Expr], values: &[S]) -> Result<[Vec<S>; 3], Error> {
     let free = reduction.model.parameters.len() - reduction.constants.len();
     let equations = &reduction.derivation.equations;
     let variables = || reduction.states.iter().chain(&reduction.quadratures);
@@ -164,8 +188,8 @@ fn reduced_start(reduction: &Reduction, model: &Model, exact: &ExactStart) -> Re
     let mut wanted: Vec<Expr> = reduction.model.parameters[..free].iter().map(|p| p.symbol).collect();
     wanted.extend(reduction.constants.iter().map(|constant| constant.of_start));
     wanted.extend(equations.coordinates.iter().chain(&equations.variables).map(of_start));
-    let tape = compile_tape(reduction.arena(), &symbols, &wanted, "the start of a reduced variable")?.to();
-    let mut parameters: Vec<DoubleDouble> = tape.evaluate(&values);
+    let tape = compile_tape(reduction.arena(), symbols, &wanted, "the start of a reduced variable")?.to();
+    let mut parameters: Vec<S> = tape.evaluate(values);
     let mut q = parameters.split_off(reduction.model.parameters.len());
     let v = q.split_off(equations.coordinates.len());
     Ok([parameters, q, v])

@@ -43,6 +43,7 @@ pub use compiled::{
 pub use direction::Direction;
 pub use dispatch::lane_width;
 pub use method::Method;
+pub use numbers::ball::{Ball, Centre};
 pub use numbers::double_double::DoubleDouble;
 pub use numbers::dual::Dual;
 pub use numbers::enclosure::Enclosure;

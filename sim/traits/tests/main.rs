@@ -1,5 +1,6 @@
 //! All tests of the crate, as one program.
 
+mod balls;
 mod circular;
 mod double_double;
 mod lanes;

@@ -13,7 +13,7 @@ use crate::algebra::term::steps::Definition;
 use crate::algebra::{Arena, Expr, Function, Rational};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
-use tripos_traits::{DoubleDouble, Enclosure, Interval, Lanes, Scalar, Tangent};
+use tripos_traits::{Ball, Centre, DoubleDouble, Dual, Enclosure, Interval, Lanes, Scalar, Tangent};
 
 /// Number type in which expressions are evaluated, such as doubles or intervals.
 pub trait Numeric: Scalar {
@@ -80,6 +80,25 @@ impl Numeric for Enclosure {
         let nearest = value.to_f64();
         let exact = Rational::from_f64_exact(nearest).as_ref() == Some(value);
         Self::constant(if exact { Interval::point(nearest) } else { Interval::rounded(nearest) })
+    }
+}
+
+/// Ball that provably contains the value. A constant that the centre does not represent exactly has a radius.
+impl<C: Centre> Numeric for Ball<C> {
+    fn from_rational(value: &Rational) -> Self {
+        let nearest = value.to_f64();
+        let Some(exact) = Rational::from_f64_exact(nearest) else { return Self::undefined() };
+        let rest = value.add(&exact.neg()).to_f64();
+        // The rest is rounded to a double, with an error of at most one unit in its last place.
+        let wide = Ball { centre: DoubleDouble::sum(nearest, rest), radius: 2.0 * f64::EPSILON * rest.abs() };
+        Self::narrowed(wide)
+    }
+}
+
+/// Ball with a ball of the derivative along a single direction.
+impl<C: Centre> Numeric for Dual<Ball<C>> {
+    fn from_rational(value: &Rational) -> Self {
+        Self::constant(Ball::from_rational(value))
     }
 }
 

@@ -96,7 +96,7 @@ impl<'a> SceneNeighbours<'a> {
         let numbers = values.scene_numbers(self.table.get_ref());
         self.terms = values.terms;
         values.reader.finish()?;
-        let SceneNumbers { p, start: Start { q, u, exact, closed }, span, coefficients, .. } = numbers;
+        let SceneNumbers { p, start: Start { q, u, exact, closed, .. }, span, coefficients, .. } = numbers;
         let missing = || Diagnostics::new(self.scene.source.clone(), vec![Diagnostic::of_file("no span", "give one")]);
         let span = span.ok_or_else(missing)?;
         let impacts =

@@ -61,7 +61,7 @@ impl<'a> Family<'a> {
         let numbers = values.scene_numbers(self.table.get_ref());
         self.terms = values.terms;
         values.reader.finish()?;
-        let SceneNumbers { p, start: Start { q, u, exact, closed }, span, integration, coefficients } = numbers;
+        let SceneNumbers { p, start: Start { q, u, exact, closed, .. }, span, integration, coefficients, .. } = numbers;
         let span = span.expect("reported if missing");
         let parameters = double_values(&p);
         let impacts =

@@ -5,7 +5,7 @@
 //! Earlier readings have no effect.
 
 use super::named_positions::Places;
-use super::scene_number::{Number, double_values, extended_values};
+use super::scene_number::{Number, double_values, enclosed_values};
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::text::parse::{InteractionName, VelocityName, parse, parse_with_quantities};
 use crate::algebra::value::interval::{constant_with_wide_interval, without_zeros_of_wide_interval};
@@ -17,7 +17,7 @@ use crate::model::{ImpossibleBody, Model, StatedInteraction, StatedUnit, Unit, r
 use crate::toml_reader::{Located, TomlReader};
 use rustc_hash::FxHashMap;
 use toml::de::DeTable;
-use tripos_traits::DoubleDouble;
+use tripos_traits::Ball;
 
 /// Number of a scene that a sweep may vary: a parameter or a start value, by its index in the
 /// model.
@@ -241,11 +241,11 @@ impl<'a> ValueReader<'a, '_> {
         let number = match exact {
             Some(exact) => Number::exact(exact),
             None if self.is_wide => {
-                let own = self.names.iter().map(|named| named.value.extended());
-                let known: Vec<DoubleDouble> = extended_values(parameters).into_iter().chain(own).collect();
-                Number::from_double_double(term.tape.to::<DoubleDouble>().evaluate(&known)[0])
+                let own = self.names.iter().map(|named| named.value.enclosure());
+                let known: Vec<Ball> = enclosed_values(parameters).into_iter().chain(own).collect();
+                Number::enclosed(term.tape.to::<Ball>().evaluate(&known)[0])
             }
-            None => Number::from_double(value),
+            None => Number::rounded(value),
         };
         if !term.varies {
             self.terms.formulas.entry(place).and_modify(|term| term.constant = Some(number.clone()));

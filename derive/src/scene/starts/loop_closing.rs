@@ -2,13 +2,15 @@
 
 use super::loops::{FoundPose, Loops};
 use super::start::SolvedVariable;
+use crate::algebra::value::rational_value::exact_value;
+use crate::algebra::{Expr, Rational};
 use crate::model::TIME;
 use crate::plain_text::with_significant_digits;
 use crate::scene::numbers::number_reader::ValueReader;
-use crate::scene::numbers::scene_number::{Number, double_values};
+use crate::scene::numbers::scene_number::{Number, double_values, enclosed_values};
 use std::ops::Range;
 use toml::de::DeTable;
-use tripos_traits::{DoubleDouble, Scalar};
+use tripos_traits::{Ball, DoubleDouble, Scalar};
 
 /// Residual up to which a loop counts as closed if every coordinate is stated, relative to the size of its terms. It
 /// is loose, since the numbers in files have few digits.
@@ -120,8 +122,17 @@ impl<'a> ValueReader<'a, '_> {
                 }
             }
         }
+        let known = |at: usize| q[at].as_ref().map_or(Ball::point(precise[at]), Number::enclosure);
+        let pose: Vec<Ball> = (0..q.len()).map(known).collect();
+        let enclosed = self.is_wide.then(|| loops.enclosed_pose(&enclosed_values(parameters), &pose, &free)).flatten();
+        if self.is_wide && free.is_empty() && self.is_exactly_closed(parameters, q) {
+            return Some(Vec::new());
+        }
         for at in moving {
             q[*at] = Some(Number::from_double_double(precise[*at]));
+        }
+        for (at, ball) in free.iter().zip(enclosed.iter().flatten()) {
+            q[*at] = Some(Number::enclosed(*ball));
         }
         let name = |at: &usize| SolvedVariable {
             name: self.model.coordinates[*at].name.clone(),
@@ -129,6 +140,17 @@ impl<'a> ValueReader<'a, '_> {
             is_rate: false,
         };
         Some(free.iter().map(name).collect())
+    }
+
+    /// True if all loops are closed exactly at rational values of parameters and coordinates.
+    fn is_exactly_closed(&self, parameters: &[Number], q: &[Option<Number>]) -> bool {
+        let arena = &self.model.arena;
+        let symbols = self.model.p().into_iter().chain(self.model.q());
+        let values = parameters.iter().map(Some).chain(q.iter().map(Option::as_ref));
+        let known = symbols.zip(values).filter_map(|(symbol, value)| Some((symbol, value?.exact.clone()?)));
+        let known: Vec<(Expr, Rational)> = known.collect();
+        let mut loops = self.model.loops.iter().chain(&self.model.closed);
+        loops.all(|c| exact_value(arena, c.equation, &known).is_some_and(|open| open == Rational::ZERO))
     }
 
     /// Reports that the loops cannot be closed. The message names the loop with the largest residual and the nearest

@@ -1,6 +1,7 @@
 //! Loops of a mechanism as functions of parameters and coordinates, and Newton's method for poses in which they are
 //! closed.
 
+use super::proved_zero::enclose_zero;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::value::tape::Tape;
@@ -8,7 +9,7 @@ use crate::model::Model;
 use crate::scene::numbers::scene_number::Number;
 use nalgebra::{DMatrix, DVector};
 use tripos_linear::{SingularValues, singular_values};
-use tripos_traits::{DoubleDouble, Scalar};
+use tripos_traits::{Ball, DoubleDouble, Scalar};
 
 /// Largest number of steps of Newton's method.
 const STEPS: usize = 100;
@@ -41,8 +42,8 @@ pub struct Loops {
     independent: usize,
     /// Number of all loops, redundant loops included.
     count: usize,
-    /// Values at which variables that constraints determine are held, to 32 digits.
-    held: Vec<DoubleDouble>,
+    /// Values at which variables that constraints determine are held.
+    held: Vec<Ball>,
 }
 
 /// Residual of a redundant loop. It should vanish if the independent loops are closed.
@@ -105,7 +106,7 @@ impl Loops {
             independent: model.loops.len(),
             count: names.len() - held.len(),
             names,
-            held: held.iter().map(|(_, value)| value.extended()).collect(),
+            held: held.iter().map(|(_, value)| value.enclosure()).collect(),
         }
     }
 
@@ -184,7 +185,7 @@ impl Loops {
     pub(in crate::scene) fn loop_residuals(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
         let mut open = self.values.evaluate(&[p, q].concat());
         for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
-            *open -= held.hi();
+            *open -= held.centre.hi();
         }
         open
     }
@@ -197,9 +198,34 @@ impl Loops {
     ) -> Vec<DoubleDouble> {
         let mut open = self.values.to::<DoubleDouble>().evaluate(&[p, q].concat());
         for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
-            *open = *open - *held;
+            *open = *open - held.centre;
         }
         open
+    }
+
+    /// Balls that contain the coordinates with the indices `free` in exactly one closed pose near `q`. `None` if this
+    /// is not proved, or if the independent loops and held variables are not as many as these coordinates.
+    pub(in crate::scene) fn enclosed_pose(&self, p: &[Ball], q: &[Ball], free: &[usize]) -> Option<Vec<Ball>> {
+        let rows: Vec<usize> = (0..self.independent).chain(self.count..self.names.len()).collect();
+        if rows.len() != free.len() {
+            return None;
+        }
+        let (values, slopes) = (self.values.to::<Ball>(), self.slopes.to::<Ball<f64>>());
+        let residuals = |x: &[Ball]| {
+            let mut open = values.evaluate(&[p, &with_free(q, free, x)].concat());
+            for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
+                *open = *open - *held;
+            }
+            rows.iter().map(|row| open[*row]).collect()
+        };
+        let narrow = |list: &[Ball]| list.iter().map(|x| Ball::narrowed(*x)).collect::<Vec<Ball<f64>>>();
+        let (p_narrow, q_narrow) = (narrow(p), narrow(q));
+        let derivatives = |x: &[Ball<f64>]| {
+            let all = slopes.evaluate(&[&p_narrow[..], &with_free(&q_narrow, free, x)].concat());
+            rows.iter().flat_map(|row| free.iter().map(|at| all[row * q.len() + at]).collect::<Vec<_>>()).collect()
+        };
+        let middle: Vec<DoubleDouble> = free.iter().map(|at| q[*at].centre).collect();
+        enclose_zero(&middle, residuals, derivatives)
     }
 
     /// Matrix of the loops' partial derivatives in a pose. It has a row for each loop, then for each held variable,
@@ -263,6 +289,15 @@ impl Loops {
         let is_closed = self.is_closed(p, &q, &open, OPEN);
         FoundPose { q, open, is_closed, inverse }
     }
+}
+
+/// List with other values at the given indices.
+fn with_free<T: Copy>(list: &[T], free: &[usize], values: &[T]) -> Vec<T> {
+    let mut list = list.to_vec();
+    for (at, value) in free.iter().zip(values) {
+        list[*at] = *value;
+    }
+    list
 }
 
 /// Sum of the sizes of the terms of the loop with the index `row`: |∂φ/∂q| max(1, |q|), summed over the coordinates

@@ -7,6 +7,7 @@
 //! If a rate stays undetermined, the file has to state more. A speed does not determine the motion at a dead point,
 //! nor does the rate of a coordinate that cannot move.
 
+use super::proved_zero::enclose_zero;
 use super::start::SolvedVariable;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Gradient;
@@ -14,11 +15,11 @@ use crate::algebra::value::tape::Tape;
 use crate::model::Model;
 use crate::plain_text::with_significant_digits;
 use crate::scene::numbers::number_reader::ValueReader;
-use crate::scene::numbers::scene_number::{Number, double_values, extended_values};
+use crate::scene::numbers::scene_number::{Number, double_values, enclosed_values, extended_values};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 use tripos_linear::SingularValues;
-use tripos_traits::{DoubleDouble, Scalar};
+use tripos_traits::{Ball, DoubleDouble, Scalar};
 
 /// Singular value up to which a direction in the space of rates counts as undetermined, relative to the largest
 /// singular value.
@@ -35,11 +36,11 @@ const REFINEMENTS: usize = 3;
 #[derive(Default)]
 pub(in crate::scene) struct StatedMotion {
     /// Stated rates of coordinates, as (index of the coordinate, rate).
-    pub rates: Vec<(usize, DoubleDouble)>,
+    pub rates: Vec<(usize, Ball)>,
     /// Stated rates of variables that constraints determine, as (index of the constraint, rate).
-    pub fixed: Vec<(usize, DoubleDouble)>,
+    pub fixed: Vec<(usize, Ball)>,
     /// Stated generalized speeds, as (index of the speed, value).
-    pub speeds: Vec<(usize, DoubleDouble)>,
+    pub speeds: Vec<(usize, Ball)>,
 }
 
 /// Program that computes quantities which are linear in the rates. They are motion constraints, generalized speeds,
@@ -69,8 +70,8 @@ fn linear_in_rates(model: &Model) -> Tape {
 struct Condition {
     /// Quantity that the condition restricts.
     of: ConditionTerm,
-    /// Value that the quantity must have, in SI units, to 32 digits.
-    value: DoubleDouble,
+    /// Value that the quantity must have, in SI units.
+    value: Ball,
     /// Name of the quantity in error messages.
     name: String,
 }
@@ -120,7 +121,7 @@ impl ValueReader<'_, '_> {
         let mut left = Vec::new();
         for _ in 0..=REFINEMENTS {
             let values = wide.evaluate(&[known.as_slice(), &rates].concat());
-            left = list.iter().map(|condition| condition.value - condition.at(&values, &rates)).collect();
+            left = list.iter().map(|condition| condition.value.centre - condition.at(&values, &rates)).collect();
             let sides = DVector::from_iterator(list.len(), left.iter().map(|left| left.hi()))
                 .resize_vertically(list.len().max(n), 0.0);
             for (rate, step) in rates.iter_mut().zip(found.solve(&sides, least).iter()) {
@@ -142,6 +143,43 @@ impl ValueReader<'_, '_> {
             return None;
         }
         Some(rates)
+    }
+
+    /// Balls that contain the rates of all coordinates, for rates that were solved for. `None` if this is not proved,
+    /// or if there are more conditions than rates.
+    pub(in crate::scene) fn enclosed_rates(
+        &self,
+        stated: &StatedMotion,
+        parameters: &[Number],
+        q: &[Number],
+        solved: &[DoubleDouble],
+    ) -> Option<Vec<Ball>> {
+        let tape = self.terms.conditions.as_ref()?;
+        let list = rate_conditions(self.model, stated);
+        let (wide, narrow) = (tape.to::<Ball>(), tape.to::<Ball<f64>>());
+        let known = [enclosed_values(parameters), enclosed_values(q)].concat();
+        let residuals = |rates: &[Ball]| {
+            let values = wide.evaluate(&[&known[..], rates].concat());
+            list.iter().map(|condition| condition.at(&values, rates) - condition.value).collect()
+        };
+        let known: Vec<Ball<f64>> = known.iter().map(|x| Ball::narrowed(*x)).collect();
+        // The conditions are linear, so that their differences along a rate are their derivatives.
+        let slopes = |rates: &[Ball<f64>]| {
+            let at = |rates: &[Ball<f64>]| narrow.evaluate(&[&known[..], rates].concat());
+            let rest = vec![Ball::point(0.0); rates.len()];
+            let still = at(&rest);
+            let units = (0..rates.len()).map(|column| {
+                let mut along = rest.clone();
+                along[column] = Ball::point(1.0);
+                along
+            });
+            let columns: Vec<_> = units.map(|along| (at(&along), along)).collect();
+            let entry = |condition: &Condition, (values, along): &(Vec<Ball<f64>>, Vec<Ball<f64>>)| {
+                condition.at(values, along) - condition.at(&still, &rest)
+            };
+            list.iter().flat_map(|c| columns.iter().map(|column| entry(c, column)).collect::<Vec<_>>()).collect()
+        };
+        enclose_zero(solved, residuals, slopes)
     }
 
     /// Reports coordinates whose rates the constraints and the stated motion leave undetermined.
@@ -182,7 +220,7 @@ impl ValueReader<'_, '_> {
 impl Condition {
     /// Value of the quantity that the condition restricts. `values` are the program's outputs, `rates` the rates of
     /// the coordinates.
-    fn at(&self, values: &[DoubleDouble], rates: &[DoubleDouble]) -> DoubleDouble {
+    fn at<S: Copy>(&self, values: &[S], rates: &[S]) -> S {
         match self.of {
             ConditionTerm::Tape(at) => values[at],
             ConditionTerm::Rate(at) => rates[at],
@@ -195,11 +233,7 @@ fn rate_conditions(model: &Model, stated: &StatedMotion) -> Vec<Condition> {
     let (ties, speeds) = (model.motion_constraints.len(), model.speeds.len());
     let mut list: Vec<Condition> = Vec::new();
     for (at, constraint) in model.motion_constraints.iter().enumerate() {
-        list.push(Condition {
-            of: ConditionTerm::Tape(at),
-            value: DoubleDouble::int(0),
-            name: constraint.name.clone(),
-        });
+        list.push(Condition { of: ConditionTerm::Tape(at), value: Ball::int(0), name: constraint.name.clone() });
     }
     for (at, value) in &stated.speeds {
         list.push(Condition {

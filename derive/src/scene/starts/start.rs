@@ -1,7 +1,7 @@
 //! Start of a scene as its file states it, to more digits than doubles have.
 
 use crate::algebra::Rational;
-use tripos_traits::DoubleDouble;
+use tripos_traits::{Ball, DoubleDouble};
 
 /// Parameters and start of a scene as its file states them, to 32 digits.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,16 +18,28 @@ pub struct ExactStart {
     pub motion: InitialMotion,
 }
 
-/// Motion at an instant as a file states it: either generalized speeds or rates of the coordinates.
-#[derive(Clone, Debug, PartialEq)]
-pub enum InitialMotion {
-    /// Values of all generalized speeds u in SI units, in the order of the model.
-    Speeds(Vec<DoubleDouble>),
-    /// Values of the rates q′ of all coordinates in SI units, in the order of the model.
-    Rates(Vec<DoubleDouble>),
+/// Parameters and start of a scene as balls that contain the numbers of its file. The radius of a number is
+/// infinite if no bound is known, as for coordinates that close loops.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct EnclosedStart {
+    /// Values of the parameters in SI units, in the order of the model.
+    pub parameters: Vec<Ball>,
+    /// Start values of the coordinates in SI units, in the order of the model.
+    pub q: Vec<Ball>,
+    /// Generalized speeds or rates at the start, as the file states them.
+    pub motion: InitialMotion<Ball>,
 }
 
-impl Default for InitialMotion {
+/// Motion at an instant as a file states it: either generalized speeds or rates of the coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub enum InitialMotion<S = DoubleDouble> {
+    /// Values of all generalized speeds u in SI units, in the order of the model.
+    Speeds(Vec<S>),
+    /// Values of the rates q′ of all coordinates in SI units, in the order of the model.
+    Rates(Vec<S>),
+}
+
+impl<S> Default for InitialMotion<S> {
     fn default() -> Self {
         Self::Speeds(Vec::new())
     }

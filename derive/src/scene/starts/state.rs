@@ -2,19 +2,19 @@
 //! against the constraints.
 
 use super::rates::StatedMotion;
-use super::start::{ExactStart, InitialMotion, SolvedVariable};
+use super::start::{EnclosedStart, ExactStart, InitialMotion, SolvedVariable};
 use crate::algebra::value::tape::Tape;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Model, TIME, Unit};
 use crate::plain_text::with_significant_digits;
 use crate::scene::numbers::number_reader::{ValueReader, VariedNumber};
-use crate::scene::numbers::scene_number::{Number, double_values, extended_values};
+use crate::scene::numbers::scene_number::{Number, double_values, enclosed_values, extended_values};
 use crate::scene::settings::inputs::bind_inputs;
 use crate::toml_reader::{Located, TomlReader};
 use std::ops::Range;
 use toml::de::DeTable;
-use tripos_traits::DoubleDouble;
+use tripos_traits::Ball;
 
 /// State of a mechanism at one instant: in doubles, and as the file states it.
 #[derive(Clone, Debug, Default)]
@@ -25,6 +25,8 @@ pub struct Start {
     pub u: Vec<f64>,
     /// Parameters and state to 32 digits, as the file states them.
     pub exact: ExactStart,
+    /// Parameters and state as balls that contain the numbers of the file.
+    pub enclosed: EnclosedStart,
     /// Coordinates and rates that the file does not state, so that they were solved for.
     pub closed: Vec<SolvedVariable>,
 }
@@ -96,9 +98,9 @@ struct ConstrainedCounts {
 /// the value.
 const RESIDUAL: f64 = 1e-9;
 
-/// Stated numbers in a list, as (index, value to 32 digits). Entries without a number are left out.
-fn state_entries_by_index(list: &[Option<(Number, Located)>]) -> Vec<(usize, DoubleDouble)> {
-    let stated = list.iter().enumerate().filter_map(|(at, stated)| Some((at, stated.as_ref()?.0.extended())));
+/// Stated numbers in a list, as (index, ball that contains the value). Entries without a number are left out.
+fn state_entries_by_index(list: &[Option<(Number, Located)>]) -> Vec<(usize, Ball)> {
+    let stated = list.iter().enumerate().filter_map(|(at, stated)| Some((at, stated.as_ref()?.0.enclosure())));
     stated.collect()
 }
 
@@ -177,7 +179,7 @@ impl<'a> ValueReader<'a, '_> {
         let by_rates = rates.iter().any(Option::is_some) || !fixed.is_empty();
         let stated = StatedMotion {
             rates: state_entries_by_index(&rates),
-            fixed: fixed.iter().map(|(at, x, _)| (*at, x.extended())).collect(),
+            fixed: fixed.iter().map(|(at, x, _)| (*at, x.enclosure())).collect(),
             speeds: state_entries_by_index(&u),
         };
         let given =
@@ -190,7 +192,12 @@ impl<'a> ValueReader<'a, '_> {
             let solved = self.solve_rates(&stated, parameters, &exact_q, &place)?;
             if by_rates {
                 closed.extend(self.solved_rates(&stated, &solved));
-                rates = solved.into_iter().map(Number::from_double_double).collect();
+                let enclosed =
+                    if self.is_wide { self.enclosed_rates(&stated, parameters, &exact_q, &solved) } else { None };
+                rates = match enclosed {
+                    Some(balls) => balls.into_iter().map(Number::enclosed).collect(),
+                    None => solved.into_iter().map(Number::from_double_double).collect(),
+                };
             }
         }
         let u = if by_rates { self.speeds_of_state(&p, &q, &double_values(&rates)) } else { double_values(&exact_u) };
@@ -199,15 +206,17 @@ impl<'a> ValueReader<'a, '_> {
             self.reader.errors.push(Diagnostic::of_file(message, "choose another state"));
             return None;
         }
-        let motion = if by_rates {
-            InitialMotion::Rates(extended_values(&rates))
+        let (motion, enclosed) = if by_rates {
+            (InitialMotion::Rates(extended_values(&rates)), InitialMotion::Rates(enclosed_values(&rates)))
         } else {
-            InitialMotion::Speeds(extended_values(&exact_u))
+            (InitialMotion::Speeds(extended_values(&exact_u)), InitialMotion::Speeds(enclosed_values(&exact_u)))
         };
+        let enclosed =
+            EnclosedStart { parameters: enclosed_values(parameters), q: enclosed_values(&exact_q), motion: enclosed };
         let rational = parameters.iter().map(|p| p.exact.clone()).collect();
         let exact =
             ExactStart { parameters: extended_values(parameters), rational, q: extended_values(&exact_q), motion };
-        Some(Start { q, u, exact, closed })
+        Some(Start { q, u, exact, enclosed, closed })
     }
 
     /// Sets the time coordinate to the first instant of the span. For a state file it is the stated instant, or 0 if

@@ -25,7 +25,7 @@ impl Problem<'_> {
             InitialMotion::Rates(rates) if self.by.formulation().is_some_and(Formulation::is_in_rates) => {
                 v.clone_from(rates);
             }
-            _ => system.motion_variables(&p, &q, &exact_start_speeds(self.model, exact)?, &mut v),
+            _ => system.motion_variables(&p, &q, &exact_start_speeds(self.model, exact.into())?, &mut v),
         }
         Ok((p, [q, v].concat()))
     }

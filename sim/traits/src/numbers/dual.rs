@@ -145,6 +145,12 @@ impl<S: Scalar> Scalar for Dual<S> {
         Self::constant(self.value.sign())
     }
     #[inline]
+    fn sum_of_products(pairs: impl Iterator<Item = (Self, Self)> + Clone) -> Self {
+        let value = S::sum_of_products(pairs.clone().map(|(a, b)| (a.value, b.value)));
+        let slope = S::sum_of_products(pairs.flat_map(|(a, b)| [(a.slope, b.value), (a.value, b.slope)]));
+        Self { value, slope }
+    }
+    #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {
         let slope = self.slope.mul_add(a.value, self.value.mul_add(a.slope, b.slope));
         Self { value: self.value.mul_add(a.value, b.value), slope }

@@ -1,5 +1,6 @@
 //! Numbers of the equations, from doubles to double doubles, duals, intervals and lanes.
 
+pub(super) mod ball;
 pub(super) mod circular;
 pub(super) mod double_double;
 pub(super) mod dual;

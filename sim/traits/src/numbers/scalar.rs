@@ -100,6 +100,12 @@ pub trait Scalar:
     fn pair_sums<const W: usize>(history: &[Factors<Self, W>]) -> Pair<Self, W> {
         series::sums::<Self, W, { series::LANES }>(history)
     }
+    /// Computes Σ a b over pairs of factors, in their order; 0 if there are none.
+    #[must_use]
+    #[inline]
+    fn sum_of_products(pairs: impl Iterator<Item = (Self, Self)> + Clone) -> Self {
+        pairs.map(|(a, b)| a * b).reduce(|sum, product| sum + product).unwrap_or(Self::int(0))
+    }
     /// Computes xⁿ by repeated multiplication; n may be negative.
     #[must_use]
     fn powi(self, n: i32) -> Self {
