@@ -26,7 +26,9 @@ fn proved(model: &Model) {
 }
 
 /// Goal: six pins that fix six bars in all poses but the closed ones leave one freedom in these. Method: five
-/// equations, four of them independent; the circuit of the dependent ones; three derivations.
+/// equations, four of them independent; the circuit of the dependent ones; three derivations. Near the cube's edges,
+/// where all angles are 0, the scaled rows with the factors 1, −1, 1, −1 and 1 add up to 0: all five equations are
+/// dependent. P6_3 has no slope on a further branch, where the bars have two freedoms.
 #[test]
 fn bricards_linkage_moves() {
     let model = load(BRICARD);
@@ -35,7 +37,7 @@ fn bricards_linkage_moves() {
     let mut circuit = dependent.of.clone();
     circuit.push(dependent.name.clone());
     circuit.sort();
-    assert_eq!(circuit, ["P6_1", "P6_2", "P6_turn12", "P6_turn13"]);
+    assert_eq!(circuit, ["P6_1", "P6_2", "P6_3", "P6_turn12", "P6_turn13"]);
     assert!(dependent.poses > 50, "{dependent:?}");
     assert_eq!(model.closed.iter().map(|c| &c.name).collect::<Vec<_>>(), [&dependent.name]);
     proved(&model);
@@ -195,4 +197,61 @@ fn an_assembly_decides_the_branch() {
     assert!(error.contains("no pose with closed loops is near the values under `assembly`"), "{error}");
     let unknown = STACKED.replace("HEIGHT", "0.3") + "[assembly]\nq_J9 = 1\n";
     assert!(read(&unknown).err().unwrap().to_string().contains("q_J9"));
+}
+
+/// Rod of length a between two pins at the distance d, with a second rod on its end.
+const LOCKED: &str = r#"
+name = "locked rod beside a free one"
+[inertial]
+frame = "N"
+origin = "O"
+[parameters]
+m = "1 kg"
+J = "0.01 kg*m^2"
+a = "0.3 m"
+d = "DISTANCE m"
+g = "9.81 m/s^2"
+[bodies]
+b0 = { mass = "m", inertia = "J" }
+b1 = { mass = "m", inertia = "J" }
+[gravity]
+frame = "N"
+acceleration = [0, "-g", 0]
+[joints]
+j0 = { kind = "pin", body = "b0", axis = 3, centre = ["a", 0, 0] }
+j1 = { kind = "pin", body = "b1", to = "b0", axis = 3, at = ["a", 0, 0], centre = ["a", 0, 0] }
+c = { kind = "pin", body = "b0", axis = 3, at = ["d", 0, 0], body_at = ["a", 0, 0] }
+"#;
+
+/// Goal: of two equations that lock a rod, the one that has a slope there is kept. Method: a cos q − d = 0 and
+/// a sin q = 0, whose slopes at q = 0 are 0 and a, for a distance d that equals a, also after rounding; the
+/// acceleration of the free rod, −m g a/(J + m a²).
+#[test]
+fn an_equation_without_a_slope_locks_nothing() {
+    for distance in ["0.3", "0.30000000000000004"] {
+        let mut model = load(&LOCKED.replace("DISTANCE", distance));
+        let names: Vec<&str> = model.motion_constraints.iter().map(|c| c.name.as_str()).collect();
+        assert_eq!((names.as_slice(), model.speeds.len()), (["c_2"].as_slice(), 1));
+        let [dependent] = model.dependent.as_slice() else { panic!("{:?}", model.dependent) };
+        assert_eq!((dependent.name.as_str(), dependent.of.len()), ("c_1", 0));
+        proved(&model);
+        let text = "model = \"model.toml\"\nspan = [0, 1]\n[start]\nq_j1 = 0\n\"q_j1'\" = 0\n";
+        let scene = tripos_derive::scene::load(&Source::from_text("scene.toml", text), &mut model)
+            .unwrap_or_else(|e| panic!("{e}"));
+        assert!(scene.q.iter().all(|q| q.abs() < 1e-12), "{:?}", scene.q);
+    }
+}
+
+/// Goal: an equation without a slope that restricts finite motions is not redundant. Method: three rods that reach
+/// their other pin at full length alone; Σ a cos(angle) − 3a has no slope there, and yet nothing can move.
+#[test]
+fn a_stretched_chain_keeps_the_equation_that_holds_it() {
+    let chain = LOCKED
+        .replace("DISTANCE", "0.75")
+        .replace("\"0.3 m\"", "\"0.25 m\"")
+        .replace("b1 = { mass", "b2 = { mass = \"m\", inertia = \"J\" }\nb1 = { mass")
+        .replace("c = { kind = \"pin\", body = \"b0\"", "j2 = { kind = \"pin\", body = \"b2\", to = \"b1\", axis = 3, at = [\"a\", 0, 0] }\nc = { kind = \"pin\", body = \"b2\"");
+    let model = load(&chain);
+    let names: Vec<&str> = model.motion_constraints.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!((names.as_slice(), model.dependent.len()), (["c_1", "c_2"].as_slice(), 0));
 }

@@ -10,7 +10,7 @@
 //! So a contact whose frame the model file does not state may be taken along the axes of another frame. In that frame
 //! every redundant component is redundant in every pose, if the mechanism has such a frame.
 
-use super::closed_poses::{ClosedPoseSearch, random_coordinate_ranges};
+use super::closed_pose_search::{ClosedPoseSearch, random_coordinate_ranges};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::Differential;

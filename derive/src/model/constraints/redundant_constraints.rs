@@ -1,7 +1,8 @@
 //! Choices made in the closed poses of a mechanism: redundant constraints, and the joint speeds that become
 //! generalized speeds.
 
-use super::closed_poses::{ClosedPoseSearch, ClosedPoses, RedundantRow, random_coordinate_ranges};
+use super::closed_pose_search::{ClosedPoseSearch, random_coordinate_ranges};
+use super::closed_poses::{ClosedPoses, RedundantRow};
 use super::motion_constraints::{MotionConstraints, SpeedDefinitions};
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
@@ -93,8 +94,12 @@ impl Loading<'_> {
             flat: 0.0,
             home,
         };
-        let count = ties.motion.len();
-        ClosedPoses::new(&mut self.arena.clone(), &poses, count, &rows, declared)
+        let of_constraint = |kind: MotionConstraintKind| match kind {
+            MotionConstraintKind::Loop(at) => Some(at),
+            _ => None,
+        };
+        let constraints: Vec<Option<usize>> = ties.motion.iter().map(|(c, _)| of_constraint(c.kind)).collect();
+        ClosedPoses::new(&mut self.arena.clone(), &poses, &constraints, &rows, declared)
     }
 }
 
