@@ -255,3 +255,42 @@ fn a_stretched_chain_keeps_the_equation_that_holds_it() {
     let names: Vec<&str> = model.motion_constraints.iter().map(|c| c.name.as_str()).collect();
     assert_eq!((names.as_slice(), model.dependent.len()), (["c_1", "c_2"].as_slice(), 0));
 }
+
+/// Rod on a ball joint at the end of a crank, held by a ball at its other end; the pose is one in the plane of the crank.
+const ON_A_BALL: &str = r#"
+name = "rod on a ball"
+[inertial]
+frame = "N"
+origin = "O"
+[parameters]
+m = "1 kg"
+L = "1 m"
+J = "0.01 kg*m^2"
+[bodies]
+b1 = { mass = "m", inertia = { diagonal = ["J", "2*J", "2*J"] } }
+b2 = { mass = "m", inertia = { diagonal = ["J", "2*J", "2*J"] } }
+[joints]
+j2 = { kind = "pin", body = "b2", axis = 3, centre = ["0.2*L", 0, 0] }
+j1 = { kind = "ball", sequence = "SEQUENCE", body = "b1", to = "b2", at = ["0.4*L", 0, 0], centre = ["0.1*L", 0, 0] }
+c = { kind = "ball", body = "b1", at = ["0.3*L", "0.4*L", 0], body_at = ["0.5*L", 0, 0] }
+[assembly]
+q_j2 = -0.2
+"#;
+
+/// Goal: a loop that holds the angles of a ball joint where they are singular is refused with their names. Method: with
+/// the angles 313 the middle one is 0 in the plane, and the others turn about one axis; the angles 123 and Euler
+/// parameters are regular there.
+#[test]
+fn singular_angles_of_a_joint_in_the_assembled_pose_are_named() {
+    let text = |sequence: &str, values: &str| ON_A_BALL.replace("SEQUENCE", sequence) + values;
+    let angles = "q_j1_1 = 1.1\nq_j1_2 = 0\nq_j1_3 = 0.8\n";
+    let error = read(&text("313", angles)).err().unwrap().to_string();
+    assert!(error.contains("do not determine the rates of `q_j1_1`, `q_j1_3` in the pose under `assembly`"), "{error}");
+    assert!(error.contains("[assembly]") && !error.contains("not independent"), "{error}");
+    for (sequence, values) in
+        [("123", "q_j1_1 = 0\nq_j1_2 = 0\nq_j1_3 = 2\n"), ("euler", "q_j1_1 = 0.5\nq_j1_4 = 0.8\n")]
+    {
+        let model = load(&text(sequence, values));
+        assert_eq!(model.speeds.len(), 1, "{sequence}");
+    }
+}

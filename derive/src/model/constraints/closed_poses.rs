@@ -204,25 +204,7 @@ impl ClosedPoses {
     /// Smallest singular value of the given rows over all closed poses, a measure of their independence. It is 0 if a
     /// derivative in one of the poses is not finite.
     fn smallest_singular_value(&self, rows: &[usize]) -> f64 {
-        self.smallest_singular_value_above(rows, 0.0)
-    }
-
-    /// Smallest singular value of the given rows over all closed poses, as far as it is above `needed`. As soon as one
-    /// pose has a value of at most `needed`, this value is returned.
-    fn smallest_singular_value_above(&self, rows: &[usize], needed: f64) -> f64 {
-        // With a derivative that is not finite, every choice of rows gets 0, so that no choice is preferred.
-        let value = |pose: &DMatrix<f64>| {
-            let part = pose.select_rows(rows);
-            if part.iter().all(|x| x.is_finite()) { singular_values(&part).min() } else { 0.0 }
-        };
-        let mut least = f64::INFINITY;
-        for pose in &self.poses {
-            least = least.min(value(pose));
-            if least <= needed {
-                break;
-            }
-        }
-        least
+        smallest_singular_value_above(self.poses.iter(), rows, 0.0)
     }
 
     /// Chooses the redundant row of each group of dependent rows. It is the row without which the remaining rows have
@@ -255,12 +237,18 @@ impl ClosedPoses {
     /// Poses in which no choice is independent decide nothing, if there are others. Returns ascending indices.
     pub fn choose_independent_rows(&self, mut kept: Vec<usize>, mut among: Vec<usize>, wanted: usize) -> Vec<usize> {
         let mut chosen = Vec::new();
+        let all: Vec<usize> = kept.iter().chain(&among).copied().collect();
+        let decides = |pose: &&DMatrix<f64>| rank_of_rows(pose, &all) >= kept.len() + wanted;
+        let mut deciding: Vec<&DMatrix<f64>> = self.poses.iter().filter(decides).collect();
+        if deciding.is_empty() {
+            deciding = self.poses.iter().collect();
+        }
         while chosen.len() < wanted {
             let mut best: Option<(usize, f64)> = None;
             for (place, row) in among.iter().enumerate() {
                 let rows: Vec<usize> = kept.iter().copied().chain([*row]).collect();
                 let needed = best.map_or(0.0, |(_, most)| BETTER * most);
-                let least = self.smallest_singular_value_above(&rows, needed);
+                let least = smallest_singular_value_above(deciding.iter().copied(), &rows, needed);
                 if best.is_none_or(|(_, most)| least > BETTER * most) {
                     best = Some((place, least));
                 }
@@ -274,10 +262,58 @@ impl ClosedPoses {
         chosen
     }
 
+    /// Indices of the coordinates whose rates the given rows do not determine in any closed pose. Empty if they
+    /// determine all rates in one pose.
+    pub fn undetermined_coordinates(&self, rows: &[usize]) -> Vec<usize> {
+        let columns = |pose: &DMatrix<f64>| rank_of_rows(pose, rows) < pose.ncols();
+        let Some(pose) = self.poses.first().filter(|_| self.poses.iter().all(columns)) else { return Vec::new() };
+        let part = pose.select_rows(rows);
+        if !part.iter().all(|x| x.is_finite()) {
+            return Vec::new();
+        }
+        // Unit vectors along which all rows vanish are what remains of the axes of the coordinates.
+        let normal = part.tr_mul(&part);
+        let SingularValues { values, right, .. } = SingularValues::new(&normal);
+        let is_free = |at: &usize| values[*at] <= INDEPENDENT * INDEPENDENT * values.max();
+        let free: Vec<usize> = (0..values.len()).filter(is_free).collect();
+        (0..pose.ncols()).filter(|column| free.iter().any(|at| right[(*at, *column)].abs() > INDEPENDENT)).collect()
+    }
+
     /// Indices of the constraints that are independent of one another in the closed poses, ascending.
     pub fn independent(&self) -> &[usize] {
         &self.independent
     }
+}
+
+/// Smallest singular value of the given rows over closed poses, as far as it is above `needed`. As soon as one pose has
+/// a value of at most `needed`, this value is returned. The value is 0 if a derivative is not finite.
+fn smallest_singular_value_above<'p>(
+    poses: impl Iterator<Item = &'p DMatrix<f64>>,
+    rows: &[usize],
+    needed: f64,
+) -> f64 {
+    // With a derivative that is not finite, every choice of rows gets 0, so that no choice is preferred.
+    let value = |pose: &DMatrix<f64>| {
+        let part = pose.select_rows(rows);
+        if part.iter().all(|x| x.is_finite()) { singular_values(&part).min() } else { 0.0 }
+    };
+    let mut least = f64::INFINITY;
+    for pose in poses {
+        least = least.min(value(pose));
+        if least <= needed {
+            break;
+        }
+    }
+    least
+}
+
+/// Rank of the given rows of a closed pose; 0 if a derivative is not finite.
+fn rank_of_rows(pose: &DMatrix<f64>, rows: &[usize]) -> usize {
+    let part = pose.select_rows(rows);
+    if !part.iter().all(|x| x.is_finite()) {
+        return 0;
+    }
+    singular_values(&part).iter().filter(|value| **value > DEPENDENT).count()
 }
 
 /// Splits the first `count` rows into independent and dependent rows, in order. `None` if a norm is

@@ -247,7 +247,7 @@ impl<'a> Loading<'a> {
             also_at,
             &mut ties,
         );
-        Some(ties)
+        (self.reader.errors.len() == before).then_some(ties)
     }
 
     /// Unit of a constraint's term, which is left side less right side of its equation. The unit is 1 if the term has

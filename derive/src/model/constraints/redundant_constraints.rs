@@ -6,6 +6,7 @@ use super::closed_poses::{ClosedPoses, RedundantRow};
 use super::motion_constraints::{MotionConstraints, SpeedDefinitions};
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::value::rank::rank;
 use crate::model::reading::loading::Loading;
 use crate::model::{Coordinate, MotionConstraintKind, RedundantConstraint, Unit};
 use std::ops::{Range, RangeInclusive};
@@ -51,7 +52,14 @@ impl Loading<'_> {
         let wanted = coordinates.len().saturating_sub(kept.len());
         if may_go.len() > wanted {
             let among = may_go.iter().map(|at| count + at).collect();
-            let chosen = closed.choose_independent_rows(kept, among, wanted);
+            let chosen = closed.choose_independent_rows(kept.clone(), among, wanted);
+            let rows: Vec<usize> = kept.into_iter().chain(chosen.iter().copied()).collect();
+            if let Some((_, place)) = home
+                && self.are_dependent(coordinates, speeds, &rows, ties)
+            {
+                self.report_singular_assembly(coordinates, &closed.undetermined_coordinates(&rows), place);
+                return;
+            }
             ties.speeds = Some(stated.into_iter().chain(chosen.into_iter().map(|row| row - count)).collect());
         }
         let names: Vec<String> = ties.motion.iter().map(|(c, _)| c.name.clone()).collect();
@@ -60,6 +68,35 @@ impl Loading<'_> {
             let of = of.iter().map(|at| names[*at].clone()).collect();
             ties.dependent.insert(0, RedundantConstraint { name, equation, of, poses: closed.count() });
         }
+    }
+
+    /// True if rows depend on one another in every pose. They are indices of constraints, and of speeds after these.
+    fn are_dependent(
+        &mut self,
+        coordinates: &[Coordinate],
+        speeds: &[Expr],
+        rows: &[usize],
+        ties: &MotionConstraints,
+    ) -> bool {
+        let count = ties.motion.len();
+        let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
+        let mut form = LinearForm::new(&rates);
+        let equation = |row: &usize| if *row < count { ties.motion[*row].0.equation } else { speeds[row - count] };
+        let rows = rows.iter().map(equation).map(|e| form.coefficients(&mut self.arena, e).map(|(row, _)| row));
+        let rows: Result<Vec<Vec<Expr>>, _> = rows.collect();
+        rows.is_ok_and(|rows| rank(&self.arena, &rows).is_some_and(|found| found.dependent.is_some()))
+    }
+
+    /// Reports that no choice of speeds determines the rates of the coordinates `undetermined` at the assembled pose.
+    fn report_singular_assembly(&mut self, coordinates: &[Coordinate], undetermined: &[usize], place: &Range<usize>) {
+        let names: Vec<String> = undetermined.iter().map(|at| format!("`{}`", coordinates[*at].name)).collect();
+        let rates = if names.is_empty() { "all coordinates".to_owned() } else { names.join(", ") };
+        let message = format!(
+            "the speeds of joints do not determine the rates of {rates} in the pose under `assembly`, nor near it: the \
+             angles of a joint are singular there"
+        );
+        let help = "state another pose, or give the joint of these coordinates another `sequence`, such as \"euler\"";
+        self.reader.error(place.clone(), message, help);
     }
 
     /// Finds closed poses, near the pose `home` if it is given, with the derivatives of constraints and speeds in them.
