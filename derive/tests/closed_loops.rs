@@ -256,6 +256,89 @@ fn a_stretched_chain_keeps_the_equation_that_holds_it() {
     assert_eq!((names.as_slice(), model.dependent.len()), (["c_1", "c_2"].as_slice(), 0));
 }
 
+/// Two bodies on cylinders and planes, so that planes fix positions along axes.
+fn fixed_slides(joints: &str, parameters: &str) -> String {
+    format!(
+        "name = \"slides\"\n[inertial]\nframe = \"N\"\norigin = \"O\"\n[parameters]\nm = \"1 kg\"\nJ = \"0.01 kg*m^2\"\n{parameters}\n[bodies]\nb0 = {{ mass = \
+         \"m\", inertia = {{ diagonal = [\"J\", \"J\", \"J\"] }} }}\n[joints]\n{joints}\n"
+    )
+}
+
+/// Goal: two joints may fix one slide at the same place, at the default values and nowhere else. Method: a cylinder in
+/// two planes, at heights that agree, that agree but for rounding, and that differ; a scene in which they differ.
+#[test]
+fn two_planes_that_fix_one_slide_agree_at_the_default_values() {
+    let joints = "j0 = { kind = \"cylinder\", body = \"b0\", axis = 3 }\nc1 = { kind = \"planar\", body = \"b0\", axis = 3, at = [0, 0, \"h1\"], body_at = [0, 0, \
+                  \"k1\"] }\nc2 = { kind = \"planar\", body = \"b0\", axis = 3, at = [0, 0, \"h2\"], body_at = [0, 0, \"k2\"] }";
+    let text = |h1: &str, k2: &str| {
+        fixed_slides(joints, &format!("h1 = \"{h1} m\"\nk1 = \"0.25 m\"\nh2 = \"0.75 m\"\nk2 = \"{k2} m\""))
+    };
+    for h1 in ["0.5", "0.50000000000000011"] {
+        let mut model = load(&text(h1, "0.5"));
+        assert_eq!((model.speeds.len(), model.conditions.len()), (1, 1));
+        proved(&model);
+        let mut scene = |parameters: &str| {
+            let speed = model.speeds[0].name.clone();
+            let text = format!(
+                "model = \"model.toml\"\nspan = [0, 1]\n[parameters]\n{parameters}\n[start]\nq_j0_1 = 1\n{speed} = 0\n"
+            );
+            tripos_derive::scene::load(&Source::from_text("scene.toml", &text), &mut model).map_err(|e| e.to_string())
+        };
+        assert!(scene("").is_ok() && scene("h1 = 0.75\nk2 = 0.25").is_ok());
+        let error = scene("h1 = 0.75").err().expect("two heights");
+        assert!(error.contains("at the values of this scene `c2_3` is open by 0.25"), "{error}");
+    }
+    let error = read(&text("0.5", "0.50001")).err().unwrap().to_string();
+    assert!(error.contains("the constraint `c2_3` contradicts those before it: it is open by 1.000e-5"), "{error}");
+}
+
+/// Goal: a loop whose residual is a product of a difference closes if the difference is 0 but for rounding. Method: a
+/// body welded to another, closed by a cylinder whose position in axes turned by an angle is a parameter.
+#[test]
+fn a_loop_closes_within_the_rounding_of_its_parameters() {
+    let joints = "j0 = { kind = \"pin\", body = \"b0\", axis = 3 }\nj1 = { kind = \"weld\", body = \"b1\", to = \"b0\", at = [\"L\", 0, 0] }\nc = { kind = \"cylinder\", \
+                  body = \"b1\", to = \"b0\", at = [\"L\", \"y\", \"z\"], axis = 3, turned = { sequence = \"13\", angles = [\"a\", \"b\"] }, body_turned = { sequence = \"1\", angles \
+                  = [\"a\"] } }";
+    let text = |y: &str| {
+        let parameters = format!(
+            "L = \"1 m\"\na = {{ unit = \"rad\", value = 0.4 }}\nb = {{ unit = \"rad\", value = -0.7 }}\ny = \"{y} m\"\nz = \"-0.7447414589660183 m\""
+        );
+        fixed_slides(joints, &parameters)
+            .replace("[joints]", "b1 = { mass = \"m\", inertia = { diagonal = [\"J\", \"J\", \"J\"] } }\n[joints]")
+    };
+    let model = load(&text("0.31487163856399747"));
+    assert_eq!((model.speeds.len(), model.conditions.len()), (1, 2));
+    proved(&model);
+    // y = −z tan(0.4); a difference of 1e-8 m opens the loop by 1e-8 cos(0.4) times the sine or cosine of 0.7.
+    let error = read(&text("0.31487164856399747")).err().unwrap().to_string();
+    assert!(error.contains("`c_1` is open by 5.934e-9 in every pose"), "{error}");
+    assert!(error.contains("`c_2` is open by 7.045e-9 in every pose"), "{error}");
+}
+
+/// Goal: a drive against a rigid loop is named, at its place. Method: drives that replace a coordinate and drives that
+/// stay equations, of a rod that a weld, a pin or a triangle of rods holds.
+#[test]
+fn a_drive_against_a_rigid_loop_is_named() {
+    let weld = LOCKED.replace("DISTANCE", "0.3").replace(
+        "c = { kind = \"pin\", body = \"b0\", axis = 3, at = [\"d\", 0, 0], body_at = [\"a\", 0, 0] }",
+        "c = { kind = \"weld\", body = \"b0\" }",
+    );
+    let pin = LOCKED.replace("DISTANCE", "0.3");
+    let triangle = weld.replace(
+        "c = { kind = \"weld\", body = \"b0\" }",
+        "c = { kind = \"pin\", body = \"b1\", axis = 3, at = [\"1.5*a\", 0, 0], body_at = [\"a\", 0, 0] }\ne = { kind = \"weld\", body = \"b1\", to = \"b0\", at = \
+         [\"a\", 0, 0], turned = { sequence = \"3\", angles = [\"1.0\"] } }",
+    );
+    for held in [&weld, &pin, &triangle] {
+        for drive in ["q_j0 = w*t", "sin(q_j0) = sin(w*t)"] {
+            let text = held.replace("[bodies]", "w = \"2 rad/s\"\n[bodies]");
+            let error = read(&format!("{text}[constraints]\nspin = \"{drive}\"\n")).err().unwrap().to_string();
+            assert!(error.contains("the drive `spin` is held: the other joints and constraints fix what"), "{error}");
+            assert!(error.contains(&format!("spin = \"{drive}\"")) && !error.contains("contradicts"), "{error}");
+        }
+    }
+}
+
 /// Rod on a ball joint at the end of a crank, held by a ball at its other end; the pose is one in the plane of the crank.
 const ON_A_BALL: &str = r#"
 name = "rod on a ball"

@@ -5,6 +5,7 @@ pub(crate) mod closed_pose_search;
 pub(super) mod closed_poses;
 pub(super) mod comparison;
 pub(super) mod configuration_constraints;
+pub(super) mod constant_loops;
 pub(super) mod independent_constraints;
 pub(super) mod joint_frames_and_points;
 pub(super) mod loop_closures;
