@@ -285,7 +285,7 @@ fn two_planes_that_fix_one_slide_agree_at_the_default_values() {
             tripos_derive::scene::load(&Source::from_text("scene.toml", &text), &mut model).map_err(|e| e.to_string())
         };
         assert!(scene("").is_ok() && scene("h1 = 0.75\nk2 = 0.25").is_ok());
-        let error = scene("h1 = 0.75").err().expect("two heights");
+        let error = scene("h1 = 0.75").expect_err("two heights");
         assert!(error.contains("at the values of this scene `c2_3` is open by 0.25"), "{error}");
     }
     let error = read(&text("0.5", "0.50001")).err().unwrap().to_string();
@@ -339,7 +339,8 @@ fn a_drive_against_a_rigid_loop_is_named() {
     }
 }
 
-/// Rod on a ball joint at the end of a crank, held by a ball at its other end; the pose is one in the plane of the crank.
+/// Rod on a ball joint at the end of a crank, held by a ball at its other end; the pose is one in the plane of the
+/// crank.
 const ON_A_BALL: &str = r#"
 name = "rod on a ball"
 [inertial]
@@ -376,4 +377,23 @@ fn singular_angles_of_a_joint_in_the_assembled_pose_are_named() {
         let model = load(&text(sequence, values));
         assert_eq!(model.speeds.len(), 1, "{sequence}");
     }
+}
+
+/// Goal: a planar loop with a pin that is tilted a little is refused with the gap that remains. Method: the pin between
+/// coupler and rocker of a four-bar linkage, tilted by e = 1e-4 rad about the coupler: the end of the rocker leaves the
+/// plane by a sin(e) sin(q), 1e-5 m, unless the rocker lies along the coupler.
+#[test]
+fn a_planar_loop_with_a_tilted_pin_tells_its_gap() {
+    let joints = "j0 = { kind = \"pin\", body = \"b0\", axis = 3 }\nj1 = { kind = \"pin\", body = \"b1\", to = \"b0\", axis = 3, at = [\"a\", 0, 0] }\nj2 = { kind = \
+                  \"pin\", body = \"b2\", to = \"b1\", axis = 3, at = [\"2*a\", 0, 0], turned = { sequence = \"1\", angles = [\"e\"] } }\nc = { kind = \"pin\", body = \"b2\", \
+                  axis = 3, at = [\"1.8*a\", 0, 0], body_at = [\"a\", 0, 0] }\n[assembly]\nq_j0 = 1\nq_j1 = -1\nq_j2 = 1.5";
+    let bodies = ["b1", "b2"]
+        .map(|name| format!("{name} = {{ mass = \"m\", inertia = {{ diagonal = [\"J\", \"J\", \"J\"] }} }}\n"));
+    let text = fixed_slides(joints, "a = \"0.25 m\"\ne = { unit = \"rad\", value = 1e-4 }");
+    let error = read(&text.replace("[joints]", &(bodies.concat() + "[joints]"))).err().unwrap().to_string();
+    assert!(error.contains("no pose with closed loops is near the values under `assembly`: `c_"), "{error}");
+    assert!(
+        error.contains("e-5 in the nearest pose that was found") && error.contains("do not fit exactly"),
+        "{error}"
+    );
 }

@@ -106,6 +106,17 @@ impl ClosedPoseSearch<'_> {
         if exact.is_empty() { found(&ClosedPoseSearch { flat: FLAT, ..*self }) } else { exact }
     }
 
+    /// Loop with the largest residual in the pose in which a search from the pose `home` ends, as (index, residual in
+    /// the equation's SI unit). `None` if a value is not known or not finite.
+    pub(super) fn widest_gap_near(&self, arena: &mut Arena, home: &[f64]) -> Option<(usize, f64)> {
+        let tape = self.tape(arena)?;
+        let mut pose = home.to_vec();
+        self.close_first_loops(&tape, self.loops.len(), &mut pose);
+        let values = tape.evaluate(&self.with_known(&pose));
+        let gaps = values.into_iter().take(self.loops.len()).enumerate();
+        gaps.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).filter(|(_, gap)| gap.is_finite())
+    }
+
     /// Finds closed poses from random poses, and further closed poses on walks that start at them. Each pose has a
     /// value for every coordinate.
     fn find_closed_poses_with_walks(&self, tape: &Tape) -> Vec<Vec<f64>> {

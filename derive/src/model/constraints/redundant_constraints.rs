@@ -9,6 +9,7 @@ use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::value::rank::rank;
 use crate::model::reading::loading::Loading;
 use crate::model::{Coordinate, MotionConstraintKind, RedundantConstraint, Unit};
+use crate::plain_text::with_significant_digits;
 use std::ops::{Range, RangeInclusive};
 
 impl Loading<'_> {
@@ -32,18 +33,19 @@ impl Loading<'_> {
         }
         let declared = brought.iter().filter(|brought| !**brought).count()..=speeds.len();
         let pose = home.map(|(pose, _)| pose);
-        let Some(closed) = self.redundancy_in_closed_poses(coordinates, speeds, declared, defaults, pose, ties) else {
-            if let Some((_, place)) = home {
-                let message = "no pose with closed loops is near the values under `assembly`";
-                let help =
-                    "state values nearer to a pose in which the mechanism is assembled, and in which it can move";
-                self.reader.error(place.clone(), message.to_owned(), help);
+        let found = self.redundancy_in_closed_poses(coordinates, speeds, declared, defaults, pose, ties);
+        let closed = match (found, home) {
+            (Ok(closed), _) => closed,
+            (Err(gap), Some((_, place))) => {
+                self.report_open_assembly(gap.map(|(at, gap)| (ties.loops[at].name.as_str(), gap)), place);
                 return;
             }
-            for at in also.rev() {
-                remove_redundant_constraint_at(ties, at);
+            (Err(_), None) => {
+                for at in also.rev() {
+                    remove_redundant_constraint_at(ties, at);
+                }
+                return;
             }
-            return;
         };
         let count = ties.motion.len();
         ties.branch = Some(closed.branch().clone());
@@ -87,6 +89,19 @@ impl Loading<'_> {
         rows.is_ok_and(|rows| rank(&self.arena, &rows).is_some_and(|found| found.dependent.is_some()))
     }
 
+    /// Reports that no pose with closed loops is near the assembled pose. `widest` is the loop that stays open the most
+    /// in the pose in which the search ended, with its gap in SI units.
+    fn report_open_assembly(&mut self, widest: Option<(&str, f64)>, place: &Range<usize>) {
+        let widest = widest.filter(|(_, gap)| *gap != 0.0).map(|(name, gap)| {
+            let gap = with_significant_digits(gap.abs(), 2);
+            format!(": `{name}` stays open by {gap} in the nearest pose that was found")
+        });
+        let message = "no pose with closed loops is near the values under `assembly`".to_owned();
+        let help = "state values nearer to a pose in which the mechanism is assembled, and in which it can move; a small \
+                    gap remains if positions or axes of the loop do not fit exactly";
+        self.reader.error(place.clone(), message + widest.as_deref().unwrap_or_default(), help);
+    }
+
     /// Reports that no choice of speeds determines the rates of the coordinates `undetermined` at the assembled pose.
     fn report_singular_assembly(&mut self, coordinates: &[Coordinate], undetermined: &[usize], place: &Range<usize>) {
         let names: Vec<String> = undetermined.iter().map(|at| format!("`{}`", coordinates[*at].name)).collect();
@@ -100,8 +115,8 @@ impl Loading<'_> {
     }
 
     /// Finds closed poses, near the pose `home` if it is given, with the derivatives of constraints and speeds in them.
-    /// The poses are on a branch whose number of degrees of freedom is in `declared`, if the search reaches one. `None`
-    /// if no closed pose is found.
+    /// The poses are on a branch whose number of degrees of freedom is in `declared`, if the search reaches one. If no
+    /// closed pose is found, the error is the loop that stays open the most near `home`, as (index, gap in SI units).
     fn redundancy_in_closed_poses(
         &mut self,
         coordinates: &[Coordinate],
@@ -110,14 +125,14 @@ impl Loading<'_> {
         defaults: &[(Expr, f64)],
         home: Option<&[f64]>,
         ties: &MotionConstraints,
-    ) -> Option<ClosedPoses> {
+    ) -> Result<ClosedPoses, Option<(usize, f64)>> {
         let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
         let mut form = LinearForm::new(&rates);
         let equations = ties.motion.iter().map(|(c, _)| c.equation).chain(speeds.iter().copied());
         let rows: Result<Vec<Vec<Expr>>, _> =
             equations.map(|e| form.coefficients(&mut self.arena, e).map(|(row, _)| row)).collect();
         // A row that is not linear is reported later, when the equations are solved for the rates.
-        let rows = rows.ok()?;
+        let rows = rows.map_err(|_| None)?;
         let lengths = defaults.iter().filter(|(symbol, _)| self.units.get(symbol) == Some(&Unit::new(1, 0, 0)));
         let reach =
             random_coordinate_ranges(coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
@@ -136,7 +151,9 @@ impl Loading<'_> {
             _ => None,
         };
         let constraints: Vec<Option<usize>> = ties.motion.iter().map(|(c, _)| of_constraint(c.kind)).collect();
-        ClosedPoses::new(&mut self.arena.clone(), &poses, &constraints, &rows, declared)
+        let arena = &mut self.arena.clone();
+        let closed = ClosedPoses::new(arena, &poses, &constraints, &rows, declared);
+        closed.ok_or_else(|| home.and_then(|home| poses.widest_gap_near(arena, home)))
     }
 }
 
