@@ -13,7 +13,7 @@ use crate::optional_functions::{Extras, requested_extras};
 use crate::origin::Origin;
 use crate::origin::{EMIT, is_written_by, read_origin_source};
 use crate::target::UnsupportedFormulations;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::path::{Path, PathBuf};
 #[cfg(feature = "rust")]
@@ -35,6 +35,18 @@ pub struct Emission {
     pub command: &'static str,
     /// File name extensions of the language. Files with other extensions are not touched.
     pub extensions: &'static [&'static str],
+    /// Earlier files of the same model that are removed if this emission does not write them again.
+    pub replaced: ReplacedFiles,
+}
+
+/// Earlier files of a model that an emission removes if it does not write them again.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ReplacedFiles {
+    /// All files of the model in this language. A Rust module is one unit: its `mod.rs` names all its files.
+    All,
+    /// Files with these names: those that the written sets of equations had with other functions. Files of other sets
+    /// of equations stay.
+    Named(BTreeSet<String>),
 }
 
 /// Generates the Rust module `module` of the model file at `path`.
@@ -75,7 +87,7 @@ pub fn emit_rust_model(
     let origin = Origin::origin_of_model_file(&model.source.path, EMIT);
     let extras = extras.and(requested_extras(model, &model.source.path)?);
     let ModuleFiles { files, left_out, .. } = generated_module_files(model, module, &origin, formulations, extras)?;
-    Ok(Emission { files, left_out, command: EMIT, extensions: &["rs"] })
+    Ok(Emission { files, left_out, command: EMIT, extensions: &["rs"], replaced: ReplacedFiles::All })
 }
 
 /// Change of one file when a module is written into a folder. Each variant holds the file's name.
@@ -87,17 +99,20 @@ pub enum EmittedFileChange {
     Unchanged(String),
     /// The file was written by an earlier emission and no longer belongs to the module, so it was removed.
     Removed(String),
+    /// The file was written by an earlier emission from the same model, for other equations. It was not touched.
+    Kept(String),
 }
 
 impl EmittedFileChange {
-    /// Returns the word for the change (`written`, `unchanged` or `removed`) and the name of the
-    /// file.
+    /// Returns the word for the change (`written`, `unchanged`, `removed` or `kept`) and the name of
+    /// the file.
     #[must_use]
     pub fn word_and_file(&self) -> (&'static str, &str) {
         match self {
             Self::Written(file) => ("written", file),
             Self::Unchanged(file) => ("unchanged", file),
             Self::Removed(file) => ("removed", file),
+            Self::Kept(file) => ("kept", file),
         }
     }
 }
@@ -147,8 +162,9 @@ impl fmt::Display for EmissionError {
     }
 }
 
-/// Writes the files of a module into a folder. Removes files of an earlier emission of the same model that are no
-/// longer generated. All other files stay. Returns the change of each file.
+/// Writes the files of a module into a folder. Removes those files of an earlier emission of the same model that
+/// [`Emission::replaced`] names and that are no longer generated. All other files stay. Returns the change of each
+/// file, and the kept files of other equations of the same model.
 ///
 /// # Errors
 /// Returns an [`EmissionError`]. No file is changed if a foreign file or a file of another model has the name of a
@@ -189,6 +205,10 @@ pub fn write_emission(emission: &Emission, folder: &Path) -> Result<Vec<EmittedF
     };
     let gone = old.into_iter().filter(|(file, text)| !emission.files.contains_key(file) && is_own(text));
     for file in gone.map(|(file, _)| file) {
+        if matches!(&emission.replaced, ReplacedFiles::Named(names) if !names.contains(&file)) {
+            placed.push(EmittedFileChange::Kept(file));
+            continue;
+        }
         let path = folder.join(&file);
         std::fs::remove_file(&path).map_err(|error| EmissionError::Io(path, error))?;
         placed.push(EmittedFileChange::Removed(file));

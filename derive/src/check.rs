@@ -235,11 +235,12 @@ fn check_note_on_dependent_rolling(name: &str) -> String {
 /// Writes a note about a constraint that follows from other constraints in all closed poses.
 fn check_note_on_redundant_constraint(d: &RedundantConstraint) -> String {
     let poses = if d.poses == 1 { "the closed pose" } else { "each of the closed poses" };
+    let names = d.of.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    let of = if d.of.is_empty() { "restricts no velocity".to_owned() } else { format!("follows from {names}") };
     format!(
-        "wherever the loops are closed, `{}` follows from {}: found in doubles, in {poses} that {} reached from random ones ({}), at the \
+        "wherever the loops are closed, `{}` {of}: found in doubles, in {poses} that {} reached from random ones ({}), at the \
          default values",
         d.name,
-        d.of.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "),
         if d.poses == 1 { "was" } else { "were" },
         d.poses,
     )

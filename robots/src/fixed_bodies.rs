@@ -1,8 +1,12 @@
 //! Bodies that are fixed to others are joined with them, so that the equations have as few bodies as the robot's
 //! motion needs.
 
+use crate::numbers::number_text;
 use crate::pose::Pose;
 use crate::robot::{Body, JointIndex, Marker, Omission, Robot};
+
+/// Distance up to which the ends of a connection of fixed parts meet, m. Numbers of a file may have few digits.
+const CLOSED: f64 = 1e-6;
 
 /// Place of a former body after joining: index of the body that contains it (`None` for the ground), and its pose
 /// there.
@@ -53,7 +57,9 @@ pub fn join(robot: &mut Robot) {
     let (open, fixed): (Vec<_>, Vec<_>) = robot.loops.drain(..).partition(|one| one.first != one.second);
     robot.loops = open;
     for one in fixed {
-        let text = format!("connection {}: it joins parts that are fixed to one another", one.name);
+        let gap = (one.first_pose.position - one.second_pose.position).norm();
+        let apart = if gap > CLOSED { format!(", and stays open by {} m", number_text(gap)) } else { String::new() };
+        let text = format!("connection {}: it joins parts that are fixed to one another{apart}", one.name);
         Omission::add(&mut robot.omissions, text);
     }
     for joint in robot.couplings.iter_mut().flat_map(|one| std::iter::once(&mut one.follower).chain(&mut one.leader)) {

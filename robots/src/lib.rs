@@ -22,6 +22,7 @@ mod urdf;
 mod urdf_text;
 mod xml;
 
+use model_text::LoopLine;
 pub use pose::{Pose, axis_turn};
 pub use robot::{Inertia, Omission, Shape, Solid};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
@@ -36,6 +37,28 @@ pub struct Import {
     pub scene: String,
     /// Parts of the description that were left out or simplified.
     pub omissions: Vec<Omission>,
+    /// Lines of the model file that close loops, with the places of these loops.
+    loops: Vec<LoopLine>,
+    /// File that states the loops: the loops file, or else the description.
+    stated_in: Source,
+}
+
+impl Import {
+    /// Errors of the model file that concern loops, at the places of these loops in the file that states them. `None`
+    /// if no error concerns a loop.
+    #[must_use]
+    pub fn errors_of_loops(&self, errors: &Diagnostics) -> Option<Diagnostics> {
+        let place_of = |error: &Diagnostic| {
+            let at = error.span.as_ref()?.start;
+            self.loops.iter().find(|one| one.line.contains(&at)).map(|one| one.place.clone())
+        };
+        let moved = errors.list.iter().filter_map(|error| {
+            let help = error.help.clone().unwrap_or_default();
+            Some(Diagnostic::new(place_of(error)?, error.message.clone(), help))
+        });
+        let list: Vec<Diagnostic> = moved.collect();
+        if list.is_empty() { None } else { Some(Diagnostics::new(self.stated_in.clone(), list)) }
+    }
 }
 
 /// Options of reading a robot description.
@@ -88,5 +111,7 @@ pub fn import(source: &Source, loops: Option<&Source>, options: Options) -> Resu
         scene: scene_text::scene_text(&robot, &text.coordinates),
         model: text.model,
         omissions: robot.omissions,
+        loops: text.loops,
+        stated_in: loops.unwrap_or(source).clone(),
     })
 }

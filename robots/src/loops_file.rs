@@ -5,6 +5,7 @@
 //! m, angles in rad. Poses are those of URDF: `xyz` and `rpy` in the axes of the link.
 
 use crate::Options;
+use crate::numbers::number_text;
 use crate::pose::{Pose, roll_pitch_yaw, turn_to};
 use crate::robot::{Coupling, Joint, JointIndex, Loop, LoopKind, Omission, Robot};
 use crate::urdf::LARGEST_ANGLE;
@@ -20,6 +21,9 @@ use tripos_derive::toml_reader::{Located, TomlReader};
 const SECTIONS: [&str; 4] = ["schema", "loops", "couplings", "assembly"];
 /// Kinds of a loop.
 const KINDS: [&str; 3] = ["connect", "weld", "hinge"];
+/// Difference up to which the value of a joint agrees with its coupling, rad or m, or relative to values above 1. The
+/// values of a file may have few digits.
+const COUPLED: f64 = 1e-3;
 /// Example of an end of a loop, for advice.
 const END: &str = "{ link = \"rod\", xyz = [0, 0, 0.3] }";
 
@@ -40,13 +44,7 @@ pub fn read(source: &Source, options: Options, robot: &mut Robot) -> Result<(), 
     for (name, value) in file.entries_of(table, "couplings", "couplings.NAME") {
         file.read_coupling(&name, value);
     }
-    for (name, value) in file.entries_of(table, "assembly", "assembly") {
-        let joint = file.joint(&name);
-        let value = file.number(value, &format!("`{}`", name.text));
-        if let (Some(joint), Some(value)) = (joint, value) {
-            file.robot.assembly.insert(joint, value);
-        }
-    }
+    file.read_assembly(table);
     if file.robot.loops.is_empty() && file.robot.couplings.is_empty() && file.toml.errors.is_empty() {
         file.toml.error(0..0, "the file states no loop and no coupling", "add `[loops.NAME]` or `[couplings.NAME]`");
     }
@@ -109,7 +107,34 @@ impl<'a> LoopsFile<'a, '_> {
             first_pose: first_pose.compose(&turn),
             second: Some(second),
             second_pose: second_pose.compose(&turn),
+            place: name.span.clone(),
         });
+    }
+
+    /// Reads the values of joints near which the loops are closed. Mistakes are recorded.
+    fn read_assembly(&mut self, table: &'a DeTable<'a>) {
+        let mut places = Vec::new();
+        for (name, value) in self.entries_of(table, "assembly", "assembly") {
+            let place = value.span();
+            let joint = self.joint(&name);
+            let value = self.number(value, &format!("`{}`", name.text));
+            if let (Some(joint), Some(value)) = (joint, value) {
+                self.robot.assembly.insert(joint, value);
+                places.push((joint, place));
+            }
+        }
+        let key = table.iter().find(|(key, _)| key.get_ref() == "assembly");
+        self.robot.assembly_place = key.map(|(key, _)| key.span());
+        for (joint, place) in places {
+            let (stated, name) = (self.robot.assembly[&joint], self.robot.joint(joint).name.clone());
+            let Some(value) = self.robot.coupled_value(joint) else { continue };
+            if (stated - value).abs() > COUPLED * value.abs().max(1.0) {
+                let value = number_text(value);
+                let message =
+                    format!("the joint `{name}` is at {}, and its coupling puts it at {value}", number_text(stated));
+                self.toml.error(place, message, format!("leave `{name}` out, or write {value}"));
+            }
+        }
     }
 
     /// Reads the kind of a loop and the axis of a hinge. The pose is that of the joint's axes in those of the

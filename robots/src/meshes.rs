@@ -187,12 +187,29 @@ impl MeshKind {
                 None if bytes.trim_ascii_start().starts_with(b"solid")
                     && bytes.windows(5).any(|word| word == b"facet") =>
                 {
-                    frame.bounds(text_points(bytes, "vertex"))
+                    let bounds = frame.bounds(text_points(bytes, "vertex"))?;
+                    if is_whole_text(bytes) {
+                        Ok(bounds)
+                    } else {
+                        Err("the file is cut off: its last line is not `endsolid`".to_owned())
+                    }
                 }
                 None => Err("the file is neither STL in text form nor as long as its number of triangles".to_owned()),
             },
         }
     }
+}
+
+/// True if a text STL file is complete: its last line that is not empty begins with `endsolid`.
+fn is_whole_text(bytes: &[u8]) -> bool {
+    let last = lines(bytes).filter(|line| !line.is_empty()).last();
+    let word = last.and_then(|line| line.split(u8::is_ascii_whitespace).next());
+    word.is_some_and(|word| word.eq_ignore_ascii_case(b"endsolid"))
+}
+
+/// Lines of a text, without the spaces before them.
+fn lines(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
+    bytes.split(|byte| matches!(byte, b'\n' | b'\r')).map(<[u8]>::trim_ascii_start)
 }
 
 /// Triangles of a binary STL file; `None` if the file is not as long as the stated number of triangles.
@@ -214,8 +231,7 @@ fn triangle_points(triangle: &[u8]) -> [Vector3<f64>; 3] {
 
 /// Points of the lines of a text that begin with a word; `None` for a line without three numbers.
 fn text_points<'b>(bytes: &'b [u8], word: &'static str) -> impl Iterator<Item = Option<Vector3<f64>>> + 'b {
-    bytes.split(|byte| matches!(byte, b'\n' | b'\r')).filter_map(move |line| {
-        let line = line.trim_ascii_start();
+    lines(bytes).filter_map(move |line| {
         let numbers =
             line.strip_prefix(word.as_bytes()).filter(|rest| rest.first().is_some_and(u8::is_ascii_whitespace))?;
         let text = String::from_utf8_lossy(numbers.get(..400).unwrap_or(numbers));

@@ -30,6 +30,8 @@ pub struct Robot {
     /// Values of joint coordinates near which the loops are closed, rad or m. Other joints have their reference values
     /// there.
     pub assembly: BTreeMap<JointIndex, f64>,
+    /// Byte range of these values in the loops file; `None` if it states none.
+    pub assembly_place: Option<Range<usize>>,
     /// Motors and other actuators of joints.
     pub actuators: Vec<Actuator>,
     /// Parts of the file that have no meaning in a model of rigid bodies, or that were simplified.
@@ -197,6 +199,8 @@ pub struct Loop {
     pub second: Option<usize>,
     /// Pose of the connection in the axes of the second body.
     pub second_pose: Pose,
+    /// Byte range of the connection in the file that states it: the loops file, or else the description.
+    pub place: Range<usize>,
 }
 
 /// An equation between joint coordinates, q_follower = Σ cᵢ q_leaderⁱ.
@@ -282,9 +286,28 @@ impl Robot {
             loops: Vec::new(),
             couplings: Vec::new(),
             assembly: BTreeMap::new(),
+            assembly_place: None,
             actuators: Vec::new(),
             omissions: Vec::new(),
         }
+    }
+
+    /// Value, rad or m, of a joint that follows another one, from the value of the leading joint in the assembled pose.
+    /// `None` if the joint follows none. Couplings must not form a circle.
+    pub fn coupled_value(&self, follower: JointIndex) -> Option<f64> {
+        // Joints from the follower to the first one that leads.
+        let mut chain = Vec::new();
+        let mut at = Some(follower);
+        while let Some(coupling) = at.and_then(|joint| self.couplings.iter().find(|one| one.follower == joint)) {
+            chain.push(coupling);
+            at = coupling.leader.filter(|_| chain.len() <= self.couplings.len());
+        }
+        let first = at.map(|joint| self.assembly.get(&joint).copied().unwrap_or(self.joint(joint).reference));
+        let of = |coupling: &Coupling, leader: f64| {
+            coupling.coefficients.iter().rev().fold(0.0, |sum, coefficient| sum * leader + coefficient)
+        };
+        let value = chain.iter().rev().fold(first.unwrap_or(0.0), |value, coupling| of(coupling, value));
+        (!chain.is_empty()).then_some(value)
     }
 
     /// Joint with an index.

@@ -472,6 +472,18 @@ fn files_of_other_languages_are_readable() {
         emit(&model, &out, &["--language", "matlab", "--formulation", "kane", "--functions", "kinetic_energy"]);
     assert!(said.contains("removed    swing_kane_forcing.m"), "{said}");
 
+    // Other equations of the model leave them alone, and say so.
+    for language in ["c", "python", "matlab", "casadi"] {
+        let out = folder.path().join(language);
+        std::fs::create_dir(out.join("code")).unwrap();
+        let before = files(&out);
+        let (status, said, err) = emit(&model, &out, &["--language", language, "--formulation", "lagrange"]);
+        assert_eq!(status, 0, "{err}");
+        assert!(said.contains("kept       swing_kane") && !said.contains("removed"), "{language}: {said}");
+        let after = files(&out);
+        assert!(before.iter().all(|(name, text)| after[name] == *text), "{language}");
+    }
+
     // Another model in the same folder leaves them alone.
     let other = root().join("models/furuta");
     let (status, ..) = emit(&other, &out, &["--language", "matlab", "--formulation", "kane", "--functions", "forcing"]);

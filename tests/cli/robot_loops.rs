@@ -158,6 +158,13 @@ fn mistakes_of_a_loops_file_are_shown_with_their_place() {
             "already",
             "help:",
         ),
+        (
+            "value against its coupling",
+            "knee = 0.1",
+            "knee = 0.1\nankle_roll = 0.5",
+            "the joint `ankle_roll` is at 0.5, and its coupling puts it at -0.05",
+            "leave `ankle_roll` out",
+        ),
         ("no TOML", "[assembly]", "[assembly", "unclosed", "valid TOML"),
         ("stated twice", "knee = 0.1", "knee = 0.1\nknee = 0.2", "`knee` is stated twice", "remove or rename"),
     ];
@@ -187,4 +194,40 @@ fn mistakes_of_a_loops_file_are_shown_with_their_place() {
     let arguments = ["new", "bad", "--from", "leg.xml", "--loops", "absent.toml"];
     let (status, _, err) = tripos_in(folder.path(), &arguments);
     assert!(status == 2 && err.contains("absent.toml") && !folder.path().join("bad").exists(), "{err}");
+}
+
+/// Goal: loops that cannot close are told when the model is written, at their place in the file that states them.
+/// Method: an end of a loop out of reach; a weld of two bodies of an MJCF file that a hinge holds apart. A value of a
+/// joint that agrees with its coupling is accepted.
+#[test]
+fn loops_that_cannot_close_are_told_with_their_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let hinge = description(&format!("{STEM}.hinge.toml"));
+    std::fs::write(folder.path().join("leg.urdf"), description(&format!("{STEM}.urdf"))).unwrap();
+    let new =
+        |name: &str, from: &str| tripos_in(folder.path(), &["new", name, "--from", from, "--loops", "loops.toml"]);
+    std::fs::write(folder.path().join("loops.toml"), hinge.replace("knee = 0.1", "knee = 0.1\nankle_roll = -0.0501"))
+        .unwrap();
+    let (status, _, err) = new("good", "leg.urdf");
+    assert!(status == 0 && err.is_empty(), "{err}");
+
+    std::fs::write(folder.path().join("loops.toml"), hinge.replace("-0.27]", "-27]")).unwrap();
+    let (status, out, err) = new("far", "leg.urdf");
+    assert!(status == 0 && out.contains("new      far/model.toml"), "{out}{err}");
+    assert!(err.starts_with("warning: `tripos check` refuses the model that was written:\n"), "{err}");
+    assert!(err.contains("no pose with closed loops is near") && err.contains("loops.toml:14:"), "{err}");
+    let (status, _, err) = tripos_in(folder.path(), &["check", "far/model.toml"]);
+    assert!(status == 2 && err.contains("no pose with closed loops is near"), "{err}");
+
+    let mjcf = r#"<mujoco><worldbody><body name="a"><joint name="j" axis="0 0 1"/>
+        <inertial pos="0.1 0 0" mass="1" diaginertia="1 1 1"/></body></worldbody>
+        <equality>
+        <connect name="held" body1="a" anchor="0 0 1"/><connect name="open" site1="s" site2="g"/>
+        </equality></mujoco>"#
+        .replace("</body>", "<site name=\"s\" pos=\"0 0 1\"/></body><site name=\"g\" pos=\"0 0 1.5\"/>");
+    std::fs::write(folder.path().join("arm.xml"), mjcf).unwrap();
+    let (status, out, err) = tripos_in(folder.path(), &["new", "arm", "--from", "arm.xml"]);
+    assert!(status == 0 && out.contains("new      arm/model.toml"), "{out}{err}");
+    assert!(err.contains("the joint cannot close its loop: `open_3` is open by 0.5 in every pose"), "{err}");
+    assert!(err.contains("arm.xml:4:"), "{err}");
 }

@@ -133,6 +133,9 @@ fn meshes_that_cannot_be_read_are_listed_with_the_reason() {
     let flat = [[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]];
     let nan = [[[0.0, 0.0, 0.0], [f32::NAN, 0.0, 0.0], [0.0, 1.0, 0.0]]];
     let point = [[[1.0; 3]; 3]];
+    let cut = "the file is cut off: its last line is not `endsolid`";
+    let text = text_stl();
+    let in_a_number = text.rfind("0.25").map_or(0, |at| at + 2);
     let neither = "the file is neither STL in text form nor as long as its number of triangles";
     for (file, content, reason) in [
         ("a.dae", &b"<COLLADA/>"[..], "only STL and OBJ files are read"),
@@ -146,6 +149,9 @@ fn meshes_that_cannot_be_read_are_listed_with_the_reason() {
         ("h.stl", &binary_stl(&point, 1), "it is a point"),
         ("i.stl", b"solid\nfacet\nvertex 1 2\n", "a vertex has no three numbers"),
         ("j.stl", b"solid\nfacet\nvertex 1 2 inf\n", "a coordinate of a vertex is not finite"),
+        ("o.stl", text.split_inclusive("endfacet\n").next().unwrap().as_bytes(), cut),
+        ("p.stl", &text.as_bytes()[..in_a_number], cut),
+        ("q.stl", text.trim_end().trim_end_matches("endsolid").as_bytes(), cut),
         ("k.obj", b"", "it has no vertex"),
         ("l.obj", b"v 1 2 x\n", "a vertex has no three numbers"),
         ("m.obj", b"v -1e308 0 0\nv 1e308 0 0\n", "its size is not finite"),

@@ -407,3 +407,42 @@ fn an_arm_becomes_a_readable_description() {
         }
     "#]].assert_eq(&tripos(folder.path(), &arguments).0);
 }
+
+/// Goal: bodies on one axis that misses itself by rounding are moved by one joint. Method: two bodies on a frame, one
+/// of them from a point 0.1 m + 0.2 m − 0.3 m beside the axis, which is 5.6e-17 m in doubles.
+#[test]
+fn places_that_differ_by_rounding_have_one_joint() {
+    let model = r#"
+name = "two parts on one hinge"
+[inertial]
+frame = "N"
+origin = "O"
+[parameters]
+m = "1 kg"
+J = "0.01 kg*m^2"
+l = "0.5 m"
+a = "0.1 m"
+b = "0.2 m"
+c = "0.3 m"
+[coordinates]
+q = { unit = "rad" }
+[speeds]
+u = "q'"
+[frames]
+B = { from = "N", axis = 3, angle = "q" }
+[points]
+H = { from = "O", frame = "N", position = ["a + b - c", 0, 0] }
+P = { from = "O", frame = "B", position = ["l", 0, 0] }
+Q = { from = "H", frame = "B", position = [0, "l", 0] }
+[bodies]
+one = { frame = "B", centre = "P", mass = "m", inertia = "J" }
+two = { frame = "B", centre = "Q", mass = "m", inertia = "J" }
+"#;
+    let (_folder, description) = folder_with("near.toml", model);
+    assert_eq!(
+        description.matches("<joint name=").count() - description.matches("type=\"fixed\"").count(),
+        1,
+        "{description}"
+    );
+    assert!(!description.contains("<mimic"), "{description}");
+}

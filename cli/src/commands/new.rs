@@ -1,12 +1,13 @@
 //! Command `tripos new`: makes a new folder with a commented model and a scene as a starting point.
 
 use crate::files::workspace::{model_file, workspace_around};
-use crate::terminal::failure::{Failure, print};
+use crate::terminal::failure::{Failure, print, warn};
 use std::path::{Path, PathBuf};
 use tripos_codegen::draft_file;
-use tripos_derive::diagnostic::Source;
+use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::model::is_model;
 use tripos_derive::plain_text::{one_line, path_as_plain_text};
+use tripos_robots::Import;
 
 /// Text of the commented model file for a new folder.
 const MODEL: &str = include_str!("new/model.toml");
@@ -21,6 +22,8 @@ struct Folder {
     scenes: Vec<(PathBuf, String)>,
     /// Remarks for the user, one line each.
     remarks: Vec<String>,
+    /// Robot description from which the model was made; `None` for other models.
+    import: Option<Import>,
 }
 
 /// Beginning of a new model: a commented example, a model to copy, or a robot description.
@@ -37,6 +40,9 @@ pub struct Beginning {
 
 /// Runs `tripos new`: writes a model and its scenes into a new folder, and prints the next
 /// commands. Returns the exit status.
+///
+/// A model of a robot description is read again. If it is refused, it is written all the same, with a warning that
+/// gives the reasons, so that its author can mend the description or the model.
 ///
 /// # Errors
 /// [`Failure`] if the folder is not empty, the model to copy or the robot description cannot be
@@ -59,6 +65,7 @@ pub fn new(folder: &Path, beginning: &Beginning) -> Result<u8, Failure> {
             model: MODEL.replace("TITLE", &title.replace(['\\', '"'], "_")),
             scenes: vec![("first.toml".into(), SCENE.to_owned())],
             remarks: Vec::new(),
+            import: None,
         },
     };
     let model = folder.join("model.toml");
@@ -72,6 +79,9 @@ pub fn new(folder: &Path, beginning: &Beginning) -> Result<u8, Failure> {
     }
     for remark in &made.remarks {
         print(&format!("{remark}\n"))?;
+    }
+    if let Some(reasons) = made.import.as_ref().and_then(|import| refusal_of_import(import, &model)) {
+        warn(&format!("`tripos check` refuses the model that was written:\n{reasons}"));
     }
     let model = path_as_plain_text(&model);
     print(&format!("\nnext:\n  tripos check {model}\n  tripos prove {model}\n"))?;
@@ -114,7 +124,7 @@ fn read_model_to_copy(like: &Path) -> Result<Folder, Failure> {
         let text = Source::read(&path).map_err(tripos::Error::from)?.text;
         scenes.push((name.into(), text));
     }
-    Ok(Folder { model, scenes, remarks: Vec::new() })
+    Ok(Folder { model, scenes, remarks: Vec::new(), import: None })
 }
 
 /// Reads a robot description, with the file of its loops, as a model with one scene.
@@ -125,6 +135,14 @@ fn read_robot(path: &Path, loops: Option<&Path>, options: tripos_robots::Options
     let source = Source::read(path).map_err(tripos::Error::from)?;
     let loops = loops.map(Source::read).transpose().map_err(tripos::Error::from)?;
     let import = tripos_robots::import(&source, loops.as_ref(), options).map_err(tripos::Error::from)?;
-    let remarks = import.omissions.iter().map(|omission| format!("left out {omission}"));
-    Ok(Folder { remarks: remarks.collect(), model: import.model, scenes: vec![("first.toml".into(), import.scene)] })
+    let remarks = import.omissions.iter().map(|omission| format!("left out {omission}")).collect();
+    let scenes = vec![("first.toml".into(), import.scene.clone())];
+    Ok(Folder { remarks, model: import.model.clone(), scenes, import: Some(import) })
+}
+
+/// Reasons why the model of a robot description is refused; `None` if it is a valid model. Loops that cannot close have
+/// the place at which their file states them, other reasons the place in the model file at `path`.
+fn refusal_of_import(import: &Import, path: &Path) -> Option<Diagnostics> {
+    let errors = tripos_derive::model::load(&Source::from_text(&path_as_plain_text(path), &import.model)).err()?;
+    Some(import.errors_of_loops(&errors).unwrap_or(errors))
 }

@@ -75,6 +75,9 @@ pub struct Tree {
     pub nodes: Vec<TreeNode>,
     /// Numbers of chains that have a slide by a coordinate, by the coordinate. Slides that more chains have come first.
     sliding: Vec<usize>,
+    /// Length of the longest constant displacement of the chains, m. Places near the origin of a node may differ by the
+    /// rounding of such displacements.
+    longest: f64,
 }
 
 impl Tree {
@@ -90,12 +93,15 @@ impl Tree {
             is_kept: true,
         };
         let mut sliding = vec![0; count];
+        let mut longest = 0.0_f64;
         for step in chains.flat_map(|chain| &chain.steps) {
-            if let Step::Slide(coordinate, _) = step {
-                sliding[*coordinate] += 1;
+            match step {
+                Step::Slide(coordinate, _) => sliding[*coordinate] += 1,
+                Step::Shift(shift) => longest = longest.max(shift.norm()),
+                Step::Turn(_) => {}
             }
         }
-        Self { nodes: vec![ground], sliding }
+        Self { nodes: vec![ground], sliding, longest }
     }
 
     /// Follows a chain from the ground, and adds the nodes that the tree does not have. Returns the place of the
@@ -162,7 +168,7 @@ impl Tree {
                     if let FrameTurn::About { axis, .. } = facts.turn {
                         along[axis] = difference[axis];
                     }
-                    let size = position.norm() + child.origin.position.norm();
+                    let size = self.longest + position.norm() + child.origin.position.norm();
                     ((difference - along).norm() <= ROUNDING * size).then_some((at, along))
                 })
             }

@@ -1,11 +1,11 @@
 //! JavaScript modules for any model file, and the modules that integrate its motion.
 
 use super::{JavaScriptModule, RUNNERS, WrittenEquations};
-use crate::emit::Emission;
+use crate::emit::{Emission, ReplacedFiles};
 use crate::origin::{EMIT, Origin};
 use crate::plan::{MotionPlan, WatchedQuantity, module_name};
 use crate::target::{self, Target};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use tripos_derive::algebra::Arena;
 use tripos_derive::diagnostic::Diagnostics;
 use tripos_derive::mechanics::Derivation;
@@ -25,7 +25,8 @@ pub const EXTENSION: &str = "mjs";
 pub fn emit_javascript_modules(model: &Model, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
     let mut modules = JavaScriptModules::new(model)?;
     let left_out = target::pass_equations_to_target(model, formulations, &mut modules)?;
-    Ok(Emission { files: modules.files, left_out, command: EMIT, extensions: &[EXTENSION] })
+    let replaced = ReplacedFiles::Named(BTreeSet::new());
+    Ok(Emission { files: modules.files, left_out, command: EMIT, extensions: &[EXTENSION], replaced })
 }
 
 /// JavaScript modules of a model while they are being written, as a target.

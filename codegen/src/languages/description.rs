@@ -1,7 +1,7 @@
 //! Descriptions of a model as one file, without equations, such as a robot description in URDF.
 
 use super::module_identifier_word;
-use crate::emit::Emission;
+use crate::emit::{Emission, ReplacedFiles};
 use crate::origin::{EMIT, Origin, model_name_of_origin};
 use std::collections::BTreeMap;
 use tripos_derive::Model;
@@ -17,5 +17,6 @@ pub fn emit_description(
     let name = module_identifier_word(model_name_of_origin(&origin));
     let file = format!("{name}.{}", extensions.first().copied().unwrap_or("txt"));
     let files = BTreeMap::from([(file, text(&origin.model_origin_sentence()))]);
-    Emission { files, left_out: Vec::new(), command: EMIT, extensions }
+    let replaced = ReplacedFiles::All;
+    Emission { files, left_out: Vec::new(), command: EMIT, extensions, replaced }
 }

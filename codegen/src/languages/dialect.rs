@@ -22,6 +22,12 @@ pub trait Dialect {
     /// Returns the files of one module, each as (name, text).
     fn files(&self, module: &Module<'_>) -> Vec<(String, String)>;
 
+    /// Returns the names of all files that a module can have besides those that every module has: the files of single
+    /// functions and scripts. `model` and `equations` are the words for the model and the equations in file names.
+    fn possible_files(&self, _model: &str, _equations: &str) -> Vec<String> {
+        Vec::new()
+    }
+
     /// Returns the files that are the same for every model, such as helpers, each as (name, text). `origin` is a
     /// sentence for their headers.
     fn shared_files(&self, origin: &str) -> Vec<(String, String)>;

@@ -3,13 +3,13 @@
 
 use super::module_contents::module_identifier_word;
 use super::{CompositeFunction, Dialect, Module, SceneRun};
-use crate::emit::Emission;
+use crate::emit::{Emission, ReplacedFiles};
 use crate::origin::{Origin, model_name_of_origin};
 use crate::plan::{
     MissingOutputReason, ModulePlan, Planner, RegressorFunctions, SceneOutputs, Sharing, Solution, module_name,
 };
 use crate::target::{self, Target};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::{Arena, Expr};
@@ -75,6 +75,7 @@ pub fn emit_language_modules(
         selection,
         run: if selection.functions.is_empty() && !selection.in_base_parameters { run() } else { None },
         files: dialect.shared_files(&origin.shared_file_origin_sentence()).into_iter().collect(),
+        replaced: BTreeSet::new(),
         written: Vec::new(),
         hidden: Vec::new(),
         main_file: None,
@@ -92,8 +93,13 @@ pub fn emit_language_modules(
         let help = missing_function_help(name, model, dialect, selection)?;
         return Err(Diagnostics::new(model.source.clone(), vec![Diagnostic::of_file(message, help)]));
     }
-    let emission =
-        Emission { files: modules.files, left_out, command: dialect.command(), extensions: dialect.extensions() };
+    let emission = Emission {
+        files: modules.files,
+        left_out,
+        command: dialect.command(),
+        extensions: dialect.extensions(),
+        replaced: ReplacedFiles::Named(modules.replaced),
+    };
     let main_file = modules.main_file.unwrap_or_default();
     let LanguageTarget { written: functions, hidden, .. } = modules;
     Ok(LanguageEmission { emission, main_file, functions, hidden, operations_in_base_parameters })
@@ -134,6 +140,8 @@ struct LanguageTarget<'a> {
     selection: Selection<'a>,
     /// Texts of the files written so far, by file name.
     files: BTreeMap<String, String>,
+    /// Names of the files that the sets of equations written so far may have with any functions.
+    replaced: BTreeSet<String>,
     /// Scene that the simulation scripts run; `None` if there is none, or if only chosen functions
     /// are written.
     run: Option<SceneRun>,
@@ -274,6 +282,7 @@ impl LanguageTarget<'_> {
             composites: &composites,
             origin,
         };
+        self.replaced.extend(self.dialect.possible_files(&self.model_word, &module_name(&name)));
         self.files.extend(self.dialect.files(&module));
         let script = self.run.as_ref().filter(|_| composites.contains(&CompositeFunction::StateDerivative));
         self.files.extend(script.and_then(|run| self.dialect.script(&module, run)));

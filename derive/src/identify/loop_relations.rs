@@ -7,7 +7,7 @@ use crate::algebra::term::calculus::Gradient;
 use crate::algebra::value::tape::Tape;
 use crate::algebra::{Arena, Expr};
 use crate::model::Model;
-use crate::model::constraints::closed_poses::{ClosedPoseSearch, RandomNumbers, random_coordinate_ranges};
+use crate::model::constraints::closed_pose_search::{ClosedPoseSearch, RandomNumbers, random_coordinate_ranges};
 use nalgebra::{DMatrix, DVector};
 use tripos_linear::{SingularValues, singular_values};
 

@@ -114,7 +114,8 @@ pub struct RedundantConstraint {
     /// Left side of a redundant constraint between velocities: the term in q and q̇ that is zero. `None` for a
     /// constraint between coordinates, whose loop equation remains in the model.
     pub equation: Option<Expr>,
-    /// Names of the constraints from which the redundant constraint follows.
+    /// Names of the constraints from which the redundant constraint follows. Empty if its derivatives vanish in every
+    /// closed pose, so that it restricts no velocity.
     pub of: Vec<String>,
     /// Number of closed poses in which the redundancy was found, at the default values of the parameters.
     pub poses: usize,

@@ -38,7 +38,7 @@ pub use velocities::NamedVelocity;
 
 use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::Source;
-use constraints::configuration_constraints::{CLOSED, constant_gap};
+use constraints::constant_loops::KnownParameters;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use units::unit_of;
@@ -342,10 +342,11 @@ impl Model {
     /// SI units). `None` if the values satisfy all conditions.
     pub(crate) fn violated_condition(&self, parameters: &[f64]) -> Option<(&str, f64)> {
         let known: Vec<(Expr, f64)> = self.p().into_iter().zip(parameters.iter().copied()).collect();
+        let units = self.parameters.iter().map(|p| (p.symbol, p.unit.clone())).collect();
+        let known = KnownParameters::new(&known, &units);
         self.conditions.iter().find_map(|(name, equation)| {
-            let (gap, size) = constant_gap(&self.arena, *equation, &known)?;
-            let is_open = gap.is_nan() || gap.abs() > CLOSED * size;
-            is_open.then_some((name.as_str(), gap))
+            let gap = known.gap(&self.arena, *equation)?;
+            (gap != 0.0).then_some((name.as_str(), gap))
         })
     }
 

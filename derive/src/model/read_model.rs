@@ -10,6 +10,7 @@ use super::bodies::mechanism_motion::MechanismMotion;
 use super::constraints::configuration_constraints::{
     Closure, SolvedConfiguration, StatedConstraint, solve_configuration_constraints,
 };
+use super::constraints::constant_loops::KnownParameters;
 use super::constraints::loop_closures::LoopMechanism;
 use super::constraints::motion_constraints::{ConstraintParts, MotionConstraints};
 use super::constraints::openings::joint_opening_motions;
@@ -224,6 +225,7 @@ impl<'a> Loading<'a> {
             repeated: said,
             prescribing,
             opened,
+            drives,
             undefined,
         } = solve_configuration_constraints(
             &mut self.reader,
@@ -232,7 +234,7 @@ impl<'a> Loading<'a> {
             &elements.potentials,
             configuration,
             &closures,
-            &default_parameter_values(&parameters),
+            &KnownParameters::new(&default_parameter_values(&parameters), &self.units),
         );
         self.report_undefined(undefined);
         motion_errors += self.reader.errors.len() - before_constraints;
@@ -257,6 +259,7 @@ impl<'a> Loading<'a> {
             joints: &joints,
             parameters: &parameters,
             assembly: assembly.as_ref(),
+            drives: &drives,
             kept,
             stated,
             rolling: slips.into_iter().map(|(c, rolled)| (fix(c), rolled)).collect(),
@@ -302,11 +305,12 @@ impl<'a> Loading<'a> {
         });
         self.replace_in_conditions(&mut fixed, &mut domain, &mut signals);
         let expressions = self.named_expressions_with(&mut fixed);
-        let MotionConstraints { motion, loops, repeated, closed, dependent, branch, .. } =
+        let MotionConstraints { motion, loops, repeated, conditions: unchanged, closed, dependent, branch, .. } =
             ties.filter(|_| self.reader.errors.is_empty())?;
         let without_coordinates = constant.iter().map(|one| one.name.clone());
         let said: Vec<String> = said.into_iter().chain(without_coordinates).collect();
-        let conditions = constant.into_iter().map(|StatedConstraint { name, equation, .. }| (name, equation)).collect();
+        let conditions = constant.into_iter().map(|StatedConstraint { name, equation, .. }| (name, equation));
+        let conditions = conditions.chain(unchanged).collect();
         let mut model = Model {
             title: title?,
             reference,

@@ -2,7 +2,7 @@
 //!
 //! Generated from `models/bricard/model.toml`. Do not edit; run `tripos regenerate`.
 //! Unknowns: (q_P1'', q_P2'', q_P3'', q_P4'', q_P5'', lambda_P6_1, lambda_P6_2, lambda_P6_3, lambda_P6_turn13).
-//! The kinematic equations are singular where -l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) - cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) - l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) - l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))))) = 0.
+//! The kinematic equations are singular where l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) - cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)))))) - l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) - cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + 2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) + cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)))) - l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) - cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) - l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) = 0.
 //! The accelerations divide by 1 pivots, which are positive where the mass matrix is.
 
 pub use super::code::lagrange::{
@@ -23,7 +23,7 @@ pub use super::code::lagrange::forcing;
 
 /// The accelerations (q_P1'', q_P2'', q_P3'', q_P4'', q_P5''), solved for when this code was generated.
 ///
-/// 2264 operations, 5 sines and cosines, step by step: the code names every term.
+/// 2252 operations, 5 sines and cosines, step by step: the code names every term.
 #[doc(inline)]
 pub use super::code::lagrange::accelerations;
 
@@ -54,7 +54,7 @@ pub use super::code::lagrange::potential_energy;
 /// The generalized speeds u, from q and q'.
 ///
 /// ```text
-/// u_P4 = q_P4'
+/// u_P1 = q_P1'
 /// ```
 #[doc(inline)]
 pub use super::code::lagrange::generalized_speeds;
@@ -62,7 +62,7 @@ pub use super::code::lagrange::generalized_speeds;
 /// Their time derivatives u', from q, q' and q''.
 ///
 /// ```text
-/// u_P4' = q_P4''
+/// u_P1' = q_P1''
 /// ```
 #[doc(inline)]
 pub use super::code::lagrange::generalized_speed_rates;
@@ -70,82 +70,182 @@ pub use super::code::lagrange::generalized_speed_rates;
 /// q' from q and the generalized speeds u.
 ///
 /// ```text
-/// ratio_q_P1_u_P4 = l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-///     1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
-///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
-///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5))))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5)
-///     - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
-///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
-///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+/// ratio_q_P2_u_P1 = l^3*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2
+///     + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+///     cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 +
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+///     cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 -
+///     2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + 2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+///     + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+///     cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) + cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 -
+///     sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) -
+///     2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) - cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 +
+///     2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+///     cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+///     sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 +
+///     2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) -
+///     cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+///     2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) -
+///     2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+///     cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 -
+///     2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 -
+///     2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
 ///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-///     1))*(l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
+///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)) - cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5))
+///     + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1
+///     - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+///     sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
+///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
 ///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
 ///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
 ///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
-///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) +
+///     sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+///     cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^3*cos(q_P5)*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) +
+///     cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))*(sin(q_P5) - 1 + sin(q_P4)*(sin(q_P5) - 1))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 -
+///     sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) -
+///     1) + sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 +
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) - cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 +
+///     sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+///     cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 -
+///     2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + 2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+///     + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+///     cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) + cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 -
+///     sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) - cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) +
+///     l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1
+///     - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) -
+///     l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) +
+///     l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
+///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
+///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) +
+///     sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+///     cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
 ///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) -
-///     l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3)))) - l^2*sin(q_P1)*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-///     sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5))))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
+///     1))))*(l*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) - sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)))*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5))) - l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3)))) -
+///     l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l*cos(q_P2)*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) - sin(q_P1)*(cos(q_P2)*sin(q_P4) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)))*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+///     cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
+///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
+///     cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2
+///     + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+///     cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 +
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+///     cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 -
+///     2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + 2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+///     + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+///     cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) + cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 -
+///     sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) - cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) +
+///     l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1
+///     - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) -
+///     l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) +
+///     l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
 ///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
 ///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
 ///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
@@ -155,38 +255,289 @@ pub use super::code::lagrange::generalized_speed_rates;
 ///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
 ///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
 ///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) +
+///     sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+///     cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))))
+/// ratio_q_P3_u_P1 = l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+///     sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+///     cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5)
+///     - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+///     sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+///     cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
+///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) -
+///     2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) - cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 +
+///     2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+///     cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+///     sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 +
+///     2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) -
+///     cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+///     2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) -
+///     2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+///     cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 -
+///     2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 -
+///     2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
 ///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)) - cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5))
+///     + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1
+///     - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+///     sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
+///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
+///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
+///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) +
+///     sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+///     cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
+///     cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) - sin(q_P1)*(cos(q_P2)*sin(q_P4) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)))*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))) + l*(sin(q_P2)*sin(q_P4)*(1 -
+///     sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+///     sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+///     cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+///     sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))^2) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+///     cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) -
+///     sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)))*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1)))) + l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 -
+///     sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) -
+///     1) + sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 +
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) - cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 +
+///     sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+///     cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 -
+///     2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + 2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+///     + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+///     cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) + cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 -
+///     sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) - cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) +
+///     l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
 ///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) - l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1
+///     - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) -
+///     l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) +
+///     l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
+///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
+///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) +
+///     sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+///     cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^3*cos(q_P4)*(cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))) -
+///     sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)))*(sin(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P5)) + cos(q_P5)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1)))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) -
+///     2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) - cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 +
+///     2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+///     cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+///     sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 +
+///     2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) -
+///     cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+///     2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) -
+///     2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+///     cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 -
+///     2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 -
+///     2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
+///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)) - cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5))
+///     + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1
+///     - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+///     sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
+///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
+///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
+///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) +
+///     sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+///     cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))))
+/// ratio_q_P4_u_P1 = l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+///     sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
+///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
+///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5))))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
+///     cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2
+///     + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+///     cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 +
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+///     cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 -
+///     2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + 2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+///     + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+///     cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) + cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 -
+///     sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) - cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) +
+///     l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1
+///     - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) -
+///     l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) +
+///     l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
+///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
+///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) +
+///     sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+///     cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
 ///     cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
 ///     1))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
 ///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
@@ -199,10 +550,39 @@ pub use super::code::lagrange::generalized_speed_rates;
 ///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
 ///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) - l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
 ///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
+///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
+///     cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2
+///     + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+///     cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 +
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+///     cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 -
+///     2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + 2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+///     + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+///     cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) + cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 -
+///     sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) - cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) +
+///     l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1
+///     - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) -
+///     l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) +
+///     l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
 ///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
 ///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
 ///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
@@ -212,95 +592,122 @@ pub use super::code::lagrange::generalized_speed_rates;
 ///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
 ///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
 ///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) +
+///     sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+///     cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^3*cos(q_P5)*(cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))) -
+///     sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)))*(sin(q_P3) - sin(q_P5) + cos(q_P3)*cos(q_P5) + sin(q_P4)*(cos(q_P3)*cos(q_P5) - 1 +
+///     sin(q_P4)*(sin(q_P5) - 1) + sin(q_P3)*(2 - sin(q_P5) - sin(q_P4)*(sin(q_P5) - 1))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
+///     cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2
+///     + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+///     cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 +
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+///     cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 -
+///     2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + 2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+///     + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+///     cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) + cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 -
+///     sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) - cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) +
+///     l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
 ///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) + l^3*cos(q_P5)^2*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
-///     cos(q_P1)*cos(q_P3)*cos(q_P4))*(sin(q_P3) - sin(q_P5) + cos(q_P3)*cos(q_P5) + sin(q_P4)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P4)*(sin(q_P5) - 1) + sin(q_P3)*(2 -
-///     sin(q_P5) - sin(q_P4)*(sin(q_P5) - 1))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-///     sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 +
-///     sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 +
-///     sin(q_P4))) - cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 +
-///     sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-///     cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) +
-///     l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5)
-///     - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1
+///     - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) -
+///     l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) +
+///     l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
+///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
+///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) +
+///     sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+///     cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))))
+/// ratio_q_P5_u_P1 = l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+///     sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) +
+///     sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+///     cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5)
+///     - 1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) -
+///     2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) - cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 +
+///     2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+///     cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+///     sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 +
+///     2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) -
+///     cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+///     2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) -
+///     2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+///     cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 -
+///     2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 -
+///     2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
+///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)) - cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5))
+///     + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1
+///     - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+///     sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
 ///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
 ///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))))))
-/// ratio_q_P2_u_P4 = l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-///     1)))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
+///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
 ///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
 ///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
 ///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
@@ -310,57 +717,67 @@ pub use super::code::lagrange::generalized_speed_rates;
 ///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
 ///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
 ///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) +
+///     sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+///     cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
+///     cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) -
+///     sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)))*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + l*(sin(q_P2)*sin(q_P4)*(1 -
+///     sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
+///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
+///     - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) -
+///     sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)))*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1)))) + l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))) +
+///     l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1)))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P1)*(cos(q_P3)*sin(q_P5)
+///     + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))) -
+///     l*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 -
+///     2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+///     cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 +
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+///     cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 -
+///     2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + 2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+///     + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+///     cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) + cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 -
+///     sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) - cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) +
+///     l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
 ///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) - l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-///     1))*(l^2*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
-///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 +
-///     sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 +
-///     sin(q_P4))) - cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 +
-///     sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-///     cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) +
-///     l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5)
-///     - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-///     sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-///     sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) +
-///     cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5)
-///     - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
-///     - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1
+///     - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) -
+///     l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) +
+///     l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
 ///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
 ///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
 ///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
@@ -370,52 +787,55 @@ pub use super::code::lagrange::generalized_speed_rates;
 ///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
 ///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
 ///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) +
+///     sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+///     cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^3*cos(q_P4)*(cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))) -
+///     sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)))*(sin(q_P3) - 1 + cos(q_P3)*cos(q_P5) + sin(q_P5)*(1 - sin(q_P3) - cos(q_P3)*cos(q_P5)) +
+///     sin(q_P4)*(2*sin(q_P5) - 2 + cos(q_P5)^2 + sin(q_P3)*(2 - 2*sin(q_P5) - cos(q_P5)^2)))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
+///     cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2
+///     + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 +
+///     cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+///     cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) - cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 +
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+///     sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+///     cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) - cos(q_P5)^2 -
+///     2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + 2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+///     + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) + cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+///     cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) + cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 -
+///     sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) + cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) -
+///     sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) + cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 - 2*sin(q_P5) -
+///     cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) - cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))) +
+///     l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
 ///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4)))) + l^2*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-///     sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) +
-///     cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))) - sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3))) + l*(sin(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5)))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5)
-///     - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
+///     sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1
+///     - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) -
+///     l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) +
+///     l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+///     sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
 ///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
 ///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
 ///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
@@ -425,514 +845,26 @@ pub use super::code::lagrange::generalized_speed_rates;
 ///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
 ///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
 ///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) + l^3*cos(q_P5)^2*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
-///     cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P3)*(cos(q_P2)*(2 - sin(q_P5) - sin(q_P4)*(sin(q_P5) - 2)) + cos(q_P4)*(sin(q_P2) - 1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P4)*(sin(q_P5) - 1 + sin(q_P2)*(1 - sin(q_P5))))) - sin(q_P3)*cos(q_P5)*(cos(q_P4)*(sin(q_P2) - 1) + cos(q_P2)*(1 + sin(q_P4))))/(l*(sin(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5)
-///     - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
-///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
-///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))))))
-/// ratio_q_P3_u_P4 = l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-///     1)))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2)
-///     - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))))))/(l*(sin(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5)
-///     - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
-///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
-///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-///     1))*(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
-///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5)
-///     - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-///     sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-///     sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-///     l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) +
-///     cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 -
-///     sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))/(l*(sin(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5)
-///     - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
-///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
-///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-///     sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) +
-///     cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4)))) + l^2*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4)))) + l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5)
-///     - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
-///     - 1)))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))^2))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-///     sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 +
-///     sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 +
-///     sin(q_P4))) - cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 +
-///     sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-///     cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) +
-///     l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5)
-///     - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) + l^3*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) - sin(q_P1)*(cos(q_P2)*sin(q_P4) +
-///     sin(q_P2)*sin(q_P3)*cos(q_P4)))*(cos(q_P5)*(1 - sin(q_P3)^2*sin(q_P5) + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P4)*(sin(q_P4)*(sin(q_P5) - 1) +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1) + sin(q_P3)*(cos(q_P3)*cos(q_P5) - 1 + cos(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
-///     sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)) + sin(q_P2)*(3 - sin(q_P3) - sin(q_P5) - cos(q_P3)*cos(q_P5) - sin(q_P4)*(sin(q_P5) - 1 + sin(q_P3)*(1 -
-///     sin(q_P5)))))) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 - sin(q_P5) + sin(q_P3)*(1 + sin(q_P3)*sin(q_P5)))) + cos(q_P3)*sin(q_P5)*(sin(q_P2) - 1 +
-///     cos(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P3)*(1 - sin(q_P2) - sin(q_P4)*(sin(q_P5) - 1 + sin(q_P2)*(1 - sin(q_P5))))))/(l*(sin(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5)
-///     - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
-///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
-///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))))))
-/// ratio_q_P5_u_P4 = l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-///     1)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) -
-///     cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-///     sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1
-///     - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-///     sin(q_P3)*(sin(q_P5) - 1)))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5)
-///     - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 +
-///     sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 +
-///     sin(q_P4))) - cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 +
-///     sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-///     cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) +
-///     l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5)
-///     - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-///     1))*(l^2*sin(q_P1)*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
-///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-///     sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5))))) + l^2*cos(q_P1)^2*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
-///     cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*sin(q_P1)*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
-///     sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
-///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
-///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) - l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*cos(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-///     cos(q_P2)*cos(q_P4)))) + l^2*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) +
-///     sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-///     cos(q_P2)*cos(q_P4)))) + l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) -
-///     1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))) - l*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))))/(l*(sin(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5)
-///     - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) +
-///     cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-///     sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1
-///     + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) + cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
-///     cos(q_P1)*cos(q_P3)*cos(q_P4))*(l^3*cos(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1)))) + l^3*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-///     sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-///     sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-///     sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1)))) + l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-///     1))))*(sin(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) - cos(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
-///     sin(q_P4)*(sin(q_P5) - 1))))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5)
-///     - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 +
-///     sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 +
-///     sin(q_P4))) - cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 +
-///     sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) - cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-///     cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)))) +
-///     l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5)
-///     - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 -
-///     sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-///     cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1
-///     + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 +
-///     cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) +
-///     cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-///     sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-///     cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) +
-///     l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-///     sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) -
-///     1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2))
-///     + cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-///     sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-///     1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-///     sin(q_P1)*sin(q_P2)*cos(q_P3))) + l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) + sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) -
-///     sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-///     cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-///     cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-///     sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))
-///     + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-///     1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-///     sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-///     cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) - cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) +
-///     cos(q_P2)*cos(q_P4)) + cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) +
-///     sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-///     sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))))))
-/// q_P1' = -u_P4*ratio_q_P1_u_P4
-/// q_P2' = u_P4*ratio_q_P2_u_P4
-/// q_P3' = -u_P4*ratio_q_P3_u_P4
-/// q_P4' = u_P4
-/// q_P5' = -u_P4*ratio_q_P5_u_P4
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+///     sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+///     cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+///     1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) - cos(q_P1)*cos(q_P3)*cos(q_P4)) +
+///     sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+///     cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) + cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+///     cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) + l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) +
+///     cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+///     cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+///     cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+///     1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+///     sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) - cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+///     sin(q_P3)*sin(q_P4)*cos(q_P5)))))
+/// q_P1' = u_P1
+/// q_P2' = u_P1*ratio_q_P2_u_P1
+/// q_P3' = u_P1*ratio_q_P3_u_P1
+/// q_P4' = -u_P1*ratio_q_P4_u_P1
+/// q_P5' = -u_P1*ratio_q_P5_u_P1
 /// ```
 #[doc(inline)]
 pub use super::code::lagrange::motion_variables;

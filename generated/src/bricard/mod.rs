@@ -71,7 +71,7 @@ pub const PARAMETERS: [&str; 3] = ["l", "m", "g"];
 pub const COORDINATES: [&str; 5] = ["q_P1", "q_P2", "q_P3", "q_P4", "q_P5"];
 
 /// Names of the generalized speeds.
-pub const SPEEDS: [&str; 1] = ["u_P4"];
+pub const SPEEDS: [&str; 1] = ["u_P1"];
 
 /// What a program needs to find these equations and to trust them.
 pub const MODEL: CompiledModel = CompiledModel {

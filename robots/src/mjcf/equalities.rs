@@ -47,6 +47,7 @@ impl<'a> Reader<'a, '_> {
             first_pose: first.pose,
             second: second.body,
             second_pose: second.pose,
+            place: place(node),
         });
     }
 

@@ -173,7 +173,8 @@ impl Writer<'_> {
                 _ => joint.reference,
             };
             let is_free = !self.robot.couplings.iter().any(|coupling| coupling.follower == index);
-            let reference = self.robot.assembly.get(&index).copied().unwrap_or(joint.reference);
+            let stated = self.robot.coupled_value(index).or_else(|| self.robot.assembly.get(&index).copied());
+            let reference = stated.unwrap_or(joint.reference);
             self.coordinates.push(Coordinate { name: coordinate.clone(), start, reference, is_free });
             self.joints.push(JointNames {
                 index,

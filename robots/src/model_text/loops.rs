@@ -40,7 +40,9 @@ impl Writer<'_> {
             let turn = self.turn(&format!("{name}_{body_name}"), &body_pose.rotation);
             keys.extend(turn.map(|turn| format!("body_turned = {{ {turn} }}")));
         }
-        self.sections.joints.push(format!("{name} = {{ {} }}", keys.join(", ")));
+        let line = format!("{name} = {{ {} }}", keys.join(", "));
+        self.stated.push((line.clone(), one.place.clone()));
+        self.sections.joints.push(line);
     }
 
     /// Writes the equations between coordinates.
@@ -94,6 +96,9 @@ impl Writer<'_> {
         for Coordinate { name, reference, .. } in &self.coordinates {
             self.sections.assembly.push(format!("{name} = {}", number_text(*reference)));
         }
+        // Without values of the file, its first loop stands for the pose in which the loops are closed.
+        let place = self.robot.assembly_place.clone().or_else(|| Some(self.robot.loops.first()?.place.clone()));
+        self.stated.extend(place.map(|place| ("[assembly]".to_owned(), place)));
     }
 
     /// Unit of the coordinate of a hinge or a slide.

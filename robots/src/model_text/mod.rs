@@ -11,6 +11,7 @@ use crate::pose::{Pose, yaw_pitch_roll};
 use crate::robot::{JointIndex, Omission, Robot};
 use nalgebra::{Matrix3, Vector3};
 use std::fmt::Write;
+use std::ops::Range;
 use std::path::Path;
 use tripos_derive::plain_text::{one_line, path_as_plain_text};
 
@@ -20,6 +21,17 @@ pub struct ModelText {
     pub model: String,
     /// Coordinates in the order of the bodies.
     pub coordinates: Vec<Coordinate>,
+    /// Lines of the file that close loops.
+    pub loops: Vec<LoopLine>,
+}
+
+/// Line of a model file that closes a loop or states the pose in which loops are closed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LoopLine {
+    /// Byte range of the line in the model file.
+    pub line: Range<usize>,
+    /// Byte range of the loop or the pose in the file that states it.
+    pub place: Range<usize>,
 }
 
 /// A coordinate of a joint, as a scene starts with it.
@@ -104,6 +116,8 @@ struct Writer<'a> {
     coordinates: Vec<Coordinate>,
     /// Simplifications made in writing.
     omissions: Vec<Omission>,
+    /// Lines that close loops, each with the byte range of the loop in the file that states it.
+    stated: Vec<(String, Range<usize>)>,
 }
 
 /// Writes the model file of a robot. `format` names the format of the description, `path` its file, and `loops` the
@@ -118,6 +132,7 @@ pub fn model_text(robot: &mut Robot, format: &str, path: &Path, loops: Option<&P
         joints: Vec::new(),
         coordinates: Vec::new(),
         omissions: Vec::new(),
+        stated: Vec::new(),
     };
     writer.write_gravity();
     for (at, body) in writer.robot.bodies.iter().enumerate() {
@@ -136,7 +151,7 @@ pub fn model_text(robot: &mut Robot, format: &str, path: &Path, loops: Option<&P
     writer.write_assembly();
     writer.write_markers();
     writer.write_shapes();
-    let Writer { sections, coordinates, omissions, .. } = writer;
+    let Writer { sections, coordinates, omissions, stated, .. } = writer;
     robot.omissions.extend(omissions);
     let file_name = |path: &Path| path.file_name().map_or_else(String::new, |name| path_as_plain_text(Path::new(name)));
     let name = file_name(path);
@@ -150,7 +165,13 @@ pub fn model_text(robot: &mut Robot, format: &str, path: &Path, loops: Option<&P
     let source = quoted(&format!("{format} file {name}{with_loops}"));
     let _ = writeln!(model, "schema = 1\nname = {}\nsource = {source}", quoted(&robot.name));
     sections.write(&mut model);
-    ModelText { model, coordinates }
+    let place_of = |line: &str| {
+        let before = model.find(&format!("\n{line}\n"))? + 1;
+        Some(before..before + line.len())
+    };
+    let loops =
+        stated.into_iter().filter_map(|(line, place)| Some(LoopLine { line: place_of(&line)?, place })).collect();
+    ModelText { model, coordinates, loops }
 }
 
 impl Sections {

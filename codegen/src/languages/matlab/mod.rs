@@ -5,7 +5,7 @@ mod names;
 
 use super::{CompositeFunction, Dialect, Module, SceneRun};
 use crate::lines::wrap;
-use crate::plan::{Argument, Entry, Function, Language, result_matrix_size};
+use crate::plan::{Argument, Entry, Function, Language, ModulePlan, result_matrix_size};
 use crate::syntax::{CodeWriter, Comments, Syntax, WIDTH, number_literal};
 use std::fmt::Write;
 use tripos_derive::plain_text::{one_line, with_visible_characters};
@@ -110,6 +110,12 @@ impl Dialect for Matlab {
                 .map(|c| (format!("{stem}_{}.m", c.name()), matlab_composite_file(module, &stem, *c))),
         );
         files
+    }
+
+    fn possible_files(&self, model: &str, equations: &str) -> Vec<String> {
+        let stem = stem(model, equations);
+        let functions = ModulePlan::FUNCTIONS.into_iter().chain(self.composites().iter().map(|one| one.name()));
+        functions.chain(["simulate"]).map(|name| format!("{stem}_{name}.m")).collect()
     }
 
     fn shared_files(&self, _origin: &str) -> Vec<(String, String)> {

@@ -2,7 +2,7 @@
 
 use crate::algebra::value::tape::Tape;
 use crate::algebra::{Arena, Expr};
-use crate::model::constraints::closed_poses::{ClosedPoseSearch, random_coordinate_ranges};
+use crate::model::constraints::closed_pose_search::{ClosedPoseSearch, random_coordinate_ranges};
 use crate::model::{Model, Unit};
 use nalgebra::DMatrix;
 use tripos_linear::singular_values;

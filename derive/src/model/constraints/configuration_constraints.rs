@@ -8,17 +8,19 @@
 //! coordinate, the potential would depend on time alone there and exert no force. The power of the drive would then
 //! lack the potential's part.
 
+use super::constant_loops::KnownParameters;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::text::print::length_up_to_names;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
-use crate::algebra::{Arena, Expr, Node};
+use crate::algebra::{Arena, Expr};
+use crate::diagnostic::Diagnostic;
 use crate::geometry::Vector;
 use crate::model::bodies::elements::Elements;
-use crate::model::impossible_bodies::values_of_terms_at;
 use crate::model::reading::declared_names::{MOTION, NameKind, TIME};
 use crate::model::reading::loading::Loading;
 use crate::model::{Constraint, Coordinate, Potential};
+use crate::plain_text::with_significant_digits;
 use crate::toml_reader::TomlReader;
 use rustc_hash::FxHashSet;
 use std::ops::Range;
@@ -138,6 +140,8 @@ pub struct SolvedConfiguration {
     pub prescribing: Vec<String>,
     /// Coordinates that equations of closing joints determine.
     pub opened: OpenedCoordinates,
+    /// Constraints that were solved for a coordinate as a function of time.
+    pub drives: Vec<Drive>,
     /// Term of a solution that divides by zero once the solutions are substituted into one another. `None` if there
     /// is no such term.
     pub undefined: Option<Expr>,
@@ -157,7 +161,7 @@ pub struct OpenedCoordinates {
 }
 
 /// Solves each constraint in turn for a coordinate, and removes this coordinate from the list. Reports constraints
-/// that are always or never satisfied.
+/// that are always or never satisfied, at the default values `known` if only parameters decide it.
 pub fn solve_configuration_constraints(
     reader: &mut TomlReader<'_>,
     arena: &mut Arena,
@@ -165,7 +169,7 @@ pub fn solve_configuration_constraints(
     potentials: &[Potential],
     stated: Vec<StatedConstraint>,
     closures: &[Closure],
-    defaults: &[(Expr, f64)],
+    known: &KnownParameters<'_>,
 ) -> SolvedConfiguration {
     let long = names_of_long_closures(arena, &stated, closures);
     let (mut solved, mut kept, mut repeated) = (Vec::<Constraint>::new(), Vec::new(), Vec::new());
@@ -173,7 +177,7 @@ pub fn solve_configuration_constraints(
     let mut undefined = None;
     let mut replacements: Vec<(Expr, Expr)> = Vec::new();
     let (mut prescribing, every) = (Vec::new(), configuration_symbols(coordinates));
-    let mut opened = OpenedCoordinates::default();
+    let (mut opened, mut drives) = (OpenedCoordinates::default(), Vec::new());
     for constraint in stated {
         let equation = Substitution::new(&replacements).apply(arena, constraint.equation);
         let all = configuration_symbols(coordinates);
@@ -194,31 +198,19 @@ pub fn solve_configuration_constraints(
             reader.error(constraint.span, message, help);
             continue;
         }
-        if !mentions(equation) && constraint.may_repeat && !depends {
-            let name = &constraint.name;
-            match constant_gap(arena, equation, defaults) {
-                Some((gap, size)) if gap.abs() > CLOSED * size => {
-                    let message =
-                        format!("the joint cannot close its loop: `{name}` is open by {:.6} in every pose", gap.abs());
-                    let help = "correct the positions of the loop's joints";
-                    reader.error(constraint.span, message, help);
-                }
-                _ => constant.push(StatedConstraint { equation, ..constraint }),
+        if !mentions(equation) && constraint.may_repeat {
+            if coordinates.iter().any(|c| arena.mentions(equation, c.symbol)) {
+                report_loop_in_time(reader, arena, &constraint, &drives);
+                continue;
+            }
+            match known.gap(arena, equation).filter(|gap| *gap != 0.0) {
+                Some(gap) => report_open_loop(reader, &constraint, gap, depends),
+                None => constant.push(StatedConstraint { equation, ..constraint }),
             }
             continue;
         }
         if !mentions(equation) {
-            let name = &constraint.name;
-            let (message, help) = if depends {
-                (format!("the constraint `{name}` contradicts those before it"), "remove one of them")
-            } else if arena.as_number(equation).is_some() {
-                let help = "a holonomic constraint is an equation between coordinates";
-                (format!("the constraint `{name}` is never fulfilled"), help)
-            } else {
-                let help = "a holonomic constraint is an equation between coordinates";
-                (format!("the constraint `{name}` has no coordinate"), help)
-            };
-            reader.error(constraint.span, message, help);
+            report_constant_constraint(reader, &constraint, depends, arena.as_number(equation).is_some());
             continue;
         }
         let mut put = Substitution::new(&replacements);
@@ -237,6 +229,10 @@ pub fn solve_configuration_constraints(
             continue;
         };
         let fixed = coordinates.remove(at);
+        if coordinates.iter().any(|c| c.name == TIME && arena.mentions(solution, c.symbol)) {
+            let (name, span) = (constraint.name.clone(), constraint.span.clone());
+            drives.push(Drive { name, span, symbol: fixed.symbol });
+        }
         // Equations of joints come after the constraints of the model file.
         if constraint.may_repeat {
             if opened.symbols.is_empty() {
@@ -262,7 +258,84 @@ pub fn solve_configuration_constraints(
             enforced_by: constraint.enforced_by,
         });
     }
-    SolvedConfiguration { constraints: solved, replacements, kept, constant, repeated, prescribing, opened, undefined }
+    SolvedConfiguration {
+        constraints: solved,
+        replacements,
+        kept,
+        constant,
+        repeated,
+        prescribing,
+        opened,
+        drives,
+        undefined,
+    }
+}
+
+/// Reports a constraint of the model file without coordinates. `depends` is true if constraints before it removed its
+/// coordinates, and `is_number` if it contains no parameter either.
+fn report_constant_constraint(
+    reader: &mut TomlReader<'_>,
+    constraint: &StatedConstraint,
+    depends: bool,
+    is_number: bool,
+) {
+    let name = &constraint.name;
+    let (message, help) = if depends {
+        (format!("the constraint `{name}` contradicts those before it"), "remove one of them")
+    } else {
+        let what = if is_number { "is never fulfilled" } else { "has no coordinate" };
+        let help = "a holonomic constraint is an equation between coordinates";
+        (format!("the constraint `{name}` {what}"), help)
+    };
+    reader.error(constraint.span.clone(), message, help);
+}
+
+/// A constraint that sets a coordinate as a function of time.
+pub struct Drive {
+    /// Name of the constraint.
+    pub name: String,
+    /// Byte range of the constraint in the model file.
+    pub span: Range<usize>,
+    /// Symbol of the coordinate that it sets.
+    symbol: Expr,
+}
+
+/// Advice for a drive that other constraints hold.
+pub(super) const HELD_DRIVE_ADVICE: &str = "let a joint of the loop move along with the drive, or remove the drive";
+
+/// Message about the drive `name` that other constraints hold.
+pub(super) fn held_drive_message(name: &str) -> String {
+    format!("the drive `{name}` is held: the other joints and constraints fix what it is to move")
+}
+
+/// Reports an equation of a closing joint of which time alone is left, at the drive that brings time into it.
+fn report_loop_in_time(reader: &mut TomlReader<'_>, arena: &Arena, constraint: &StatedConstraint, drives: &[Drive]) {
+    if let Some(drive) = drives.iter().rev().find(|drive| arena.mentions(constraint.equation, drive.symbol)) {
+        let error = Diagnostic::new(drive.span.clone(), held_drive_message(&drive.name), HELD_DRIVE_ADVICE);
+        reader.errors.push(error.with_other(constraint.span.clone(), "this joint closes the loop"));
+        return;
+    }
+    let name = &constraint.name;
+    let message = format!("the joint cannot close its loop at all times: only time changes `{name}`, which must be 0");
+    reader.error(constraint.span.clone(), message, "let a joint of the loop leave this direction free");
+}
+
+/// Reports an equation of a closing joint that no coordinate can fulfil, with its gap in SI units. `depends` is true if
+/// constraints before it removed its coordinates.
+fn report_open_loop(reader: &mut TomlReader<'_>, constraint: &StatedConstraint, gap: f64, depends: bool) {
+    let (name, gap) = (&constraint.name, with_significant_digits(gap.abs(), 4));
+    let (message, help) = if depends {
+        (
+            format!("the constraint `{name}` contradicts those before it: it is open by {gap} wherever they hold"),
+            "correct the positions of the loop's joints, or remove one of the constraints",
+        )
+    } else {
+        (
+            format!("the joint cannot close its loop: `{name}` is open by {gap} in every pose"),
+            "correct the positions of the loop's joints",
+        )
+    };
+    reader.error(constraint.span.clone(), message, help);
 }
 
 /// Length of the equations of one closure above which they stay constraints, in printed nodes. Their solutions would
@@ -280,23 +353,6 @@ fn names_of_long_closures(arena: &Arena, stated: &[StatedConstraint], closures: 
         beside.map(length).fold(0, usize::saturating_add) > LONG_CLOSURE
     };
     closures.iter().filter(is_long).map(|closure| closure.name.clone()).collect()
-}
-
-/// Relative gap up to which an equation without coordinates counts as fulfilled.
-pub const CLOSED: f64 = 1e-9;
-
-/// Value of an equation without coordinates at given values of the parameters, and the sum of the sizes
-/// of its terms. `None` if the value of a parameter is not given.
-pub fn constant_gap(arena: &Arena, equation: Expr, known: &[(Expr, f64)]) -> Option<(f64, f64)> {
-    let Node::Sum(constant, terms) = arena.node(equation) else {
-        let value = values_of_terms_at(arena, known, &[equation])?[0];
-        return Some((value, value.abs()));
-    };
-    let factors: Vec<Expr> = terms.iter().map(|(term, _)| *term).collect();
-    let values = values_of_terms_at(arena, known, &factors)?;
-    let scaled = values.iter().zip(terms).map(|(value, (_, factor))| value * factor.to_f64());
-    let all: Vec<f64> = scaled.chain([constant.to_f64()]).collect();
-    Some((all.iter().sum(), all.iter().map(|value| value.abs()).sum()))
 }
 
 /// Symbols of the coordinates, time excepted.

@@ -10,17 +10,19 @@
 //! So a contact whose frame the model file does not state may be taken along the axes of another frame. In that frame
 //! every redundant component is redundant in every pose, if the mechanism has such a frame.
 
-use super::closed_poses::{ClosedPoseSearch, random_coordinate_ranges};
+use super::closed_pose_search::{ClosedPoseSearch, random_coordinate_ranges};
+use super::configuration_constraints::{Drive, HELD_DRIVE_ADVICE, held_drive_message};
+use super::constant_loops::KnownParameters;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::linear::LinearForm;
-use crate::algebra::term::calculus::Differential;
+use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::value::rank::{keeps_rank_everywhere, rank};
 use crate::algebra::value::tape::Tape;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Frames, Vector};
 use crate::model::bodies::elements::Elements;
-use crate::model::reading::declared_names::NameKind;
+use crate::model::reading::declared_names::{NameKind, TIME};
 use crate::model::reading::loading::Loading;
 use crate::model::{
     Coordinate, LoopEquation, MotionConstraint, MotionConstraintKind, RedundantEquation, SlipComponent, Unit,
@@ -56,6 +58,9 @@ pub struct IndependentConstraints {
     /// Loops of joints whose rates follow from the constraints in `motion`, so that these loops may still be open in
     /// poses in which all other loops are closed.
     pub also: Vec<(MotionConstraint, Range<usize>)>,
+    /// Loop equations of joints that no coordinate changes, as (index of the loop, term in parameters that is zero).
+    /// They are conditions on parameters, which the default values fulfil.
+    pub conditions: Vec<(usize, Expr)>,
 }
 
 /// Parts of the model to which constraints refer: coordinates, elements, loops and parameter values.
@@ -66,6 +71,8 @@ pub struct ConstrainedSystem<'m> {
     pub elements: &'m Elements,
     /// Loop equations between coordinates, indexed by [`MotionConstraintKind::Loop`].
     pub loops: &'m [LoopEquation],
+    /// Constraints that set a coordinate as a function of time, and that are no longer among the equations.
+    pub drives: &'m [Drive],
     /// Symbols of the parameters with their default values, in SI units.
     pub defaults: &'m [(Expr, f64)],
 }
@@ -82,6 +89,8 @@ struct AcceptedConstraints {
     form: LinearForm,
     /// Rows of the accepted constraints: the coefficients of the rates, followed by the term without rates.
     rows: Vec<Vec<Expr>>,
+    /// For each accepted constraint, true if the model file states it as an equation.
+    is_stated: Vec<bool>,
     /// Coefficients of the rates in the accepted constraints that are not rolling contacts.
     others: Vec<Vec<Expr>>,
     /// Slip velocities of the accepted rolling contacts, each with all three components.
@@ -169,6 +178,7 @@ impl Loading<'_> {
         let mut taken = AcceptedConstraints {
             form,
             rows: Vec::new(),
+            is_stated: Vec::new(),
             others: Vec::new(),
             slips: Vec::new(),
             frames: Frames::new(&given.elements.frames),
@@ -250,14 +260,17 @@ impl Loading<'_> {
         };
         let is_zero = |arena: &Arena, e: &Expr| zero_test(arena, *e) == ZeroTest::Zero;
         if row.iter().all(|e| is_zero(&self.arena, e)) {
-            match (may_repeat, is_zero(&self.arena, &rest)) {
+            match (may_repeat, is_zero(&self.arena, &rest), kind) {
                 // An equation between coordinates whose left side is identically zero was left out earlier.
-                (true, true) if matches!(kind, MotionConstraintKind::Loop(_)) => {
-                    self.report_unclosable_constraint(given, &name, span, kind);
+                (true, true, MotionConstraintKind::Loop(place)) => {
+                    if let Some(condition) = self.condition_on_parameters(given, &name, span, place) {
+                        taken.found.conditions.push((place, condition));
+                        taken.found.repeated.push(RedundantEquation::of(name, kind, None));
+                    }
                 }
-                (true, true) => taken.found.repeated.push(RedundantEquation::of(name, kind, None)),
-                (_, true) => self.report_dependent_constraint(&name, span, "is always fulfilled"),
-                (_, false) => self.report_dependent_constraint(&name, span, "is never fulfilled"),
+                (true, true, _) => taken.found.repeated.push(RedundantEquation::of(name, kind, None)),
+                (_, true, _) => self.report_dependent_constraint(&name, span, "is always fulfilled"),
+                (_, false, _) => self.report_dependent_constraint(&name, span, "is never fulfilled"),
             }
             return;
         }
@@ -279,13 +292,19 @@ impl Loading<'_> {
             }
             let list = if is_new { &mut taken.found.motion } else { &mut taken.found.also };
             list.push((MotionConstraint { name, equation, drive, unit, multiplier, kind, enforced_by }, span));
-            if !is_new {
+            if is_new {
+                taken.is_stated.push(!may_repeat);
+            } else {
                 taken.rows.pop();
             }
             return;
         }
         let all = rank(&self.arena, &taken.rows).map(|found| found.dependent.is_some());
         taken.rows.pop();
+        if kind == MotionConstraintKind::Clock && all == Some(false) {
+            self.report_held_drive(taken, given);
+            return;
+        }
         match (may_repeat, all) {
             (_, None) => self.report_undecided_constraint(&name, span),
             (_, Some(false)) => self.report_dependent_constraint(&name, span, "contradicts those before it"),
@@ -304,6 +323,23 @@ impl Loading<'_> {
                 self.report_dependent_constraint(&name, span, how);
             }
         }
+    }
+
+    /// Reports a drive that the other constraints hold, so that time could not go on. It is the last equation of the
+    /// model file that contains time, or else the last drive that replaced a coordinate, or else the last joint whose
+    /// equation contains time.
+    fn report_held_drive(&mut self, taken: &AcceptedConstraints, given: &ConstrainedSystem<'_>) {
+        let Some(time) = given.coordinates.iter().position(|c| c.name == TIME) else { return };
+        let is_driven = |at: &usize| zero_test(&self.arena, taken.rows[*at][time]) != ZeroTest::Zero;
+        let driven: Vec<usize> = (0..taken.rows.len()).filter(is_driven).collect();
+        let accepted = |at: &usize| {
+            let (constraint, span) = &taken.found.motion[*at];
+            (constraint.name.as_str(), span)
+        };
+        let stated = driven.iter().rev().find(|at| taken.is_stated[**at]).map(accepted);
+        let replaced = || given.drives.last().map(|drive| (drive.name.as_str(), &drive.span));
+        let Some((name, span)) = stated.or_else(replaced).or_else(|| driven.last().map(accepted)) else { return };
+        self.reader.error(span.clone(), held_drive_message(name), HELD_DRIVE_ADVICE);
     }
 
     /// Words for an error message about an equation between coordinates whose rate is redundant. They say that, in
@@ -367,30 +403,34 @@ impl Loading<'_> {
         (!found.is_empty()).then(|| (found.iter().filter(is_closed).count(), found.len()))
     }
 
-    /// Reports an equation of a joint that no coordinate changes and that is not satisfied exactly. The other joints
-    /// then keep this joint's points or axes apart in every pose.
-    fn report_unclosable_constraint(
+    /// Left side of the loop equation with the index `place`, which no coordinate changes, as a term in parameters.
+    /// `None` after reporting an equation that the default values do not fulfil: the other joints then keep this
+    /// joint's points or axes apart in every pose.
+    fn condition_on_parameters(
         &mut self,
         given: &ConstrainedSystem<'_>,
         name: &str,
         span: Range<usize>,
-        kind: MotionConstraintKind,
-    ) {
-        let MotionConstraintKind::Loop(place) = kind else { return };
-        let known = given.defaults.iter().map(|(symbol, value)| (*symbol, *value));
-        let rest = given.coordinates.iter().map(|c| (c.symbol, 0.0));
-        let (symbols, values): (Vec<Expr>, Vec<f64>) = known.chain(rest).unzip();
-        let tape = Tape::new(&self.arena, &symbols, &[given.loops[place].equation]);
-        let value = tape.map_or_else(
-            |_| String::new(),
-            |tape| format!(": it is {} at the default values", with_significant_digits(tape.evaluate(&values)[0], 4)),
-        );
+        place: usize,
+    ) -> Option<Expr> {
+        let zero: Vec<(Expr, Expr)> = given.coordinates.iter().map(|c| (c.symbol, Expr::ZERO)).collect();
+        let mut put = Substitution::new(&zero);
+        let equation = put.apply(&mut self.arena, given.loops[place].equation);
+        let known = KnownParameters::new(given.defaults, &self.units);
+        let gap = if put.undefined.is_some() { None } else { known.gap(&self.arena, equation) };
+        if gap == Some(0.0) {
+            return Some(equation);
+        }
+        let value = gap.map_or_else(String::new, |gap| {
+            format!(": it is {} at the default values", with_significant_digits(gap, 4))
+        });
         let message = format!(
             "the loop does not close: no coordinate changes `{name}`, which must be 0 whatever the parameters are{value}"
         );
         let help = "write the parameters as formulas of one another so that it is exactly 0, or let a joint of the loop \
                     leave that direction free";
         self.reader.error(span, message, help);
+        None
     }
 
     /// Reports a constraint whose independence could not be decided.

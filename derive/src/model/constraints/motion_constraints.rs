@@ -21,7 +21,7 @@ pub struct SpeedDefinitions<'s> {
 }
 
 use super::assembly::Assembly;
-use super::configuration_constraints::StatedConstraint;
+use super::configuration_constraints::{Drive, StatedConstraint};
 use super::independent_constraints::{ConstrainedSystem, ConstraintCandidate, IndependentConstraints};
 use crate::algebra::Expr;
 use crate::algebra::form::simplify::Simplifier;
@@ -71,6 +71,8 @@ pub struct ConstraintParts<'m> {
     pub parameters: &'m [Parameter],
     /// Values of coordinates near which the mechanism is assembled; `None` if the model file does not state them.
     pub assembly: Option<&'m Assembly>,
+    /// Constraints that set a coordinate as a function of time, and that are no longer among the equations.
+    pub drives: &'m [Drive],
     /// Equations between coordinates that cannot be solved for a coordinate.
     pub kept: Vec<StatedConstraint>,
     /// Equations between velocities that the model file states.
@@ -88,6 +90,8 @@ pub struct MotionConstraints {
     pub loops: Vec<LoopEquation>,
     /// Redundant equations of rolling and of joints.
     pub repeated: Vec<RedundantEquation>,
+    /// Equations of closing joints that no coordinate changes, as (name, term in parameters that is zero).
+    pub conditions: Vec<(String, Expr)>,
     /// Loop equations whose time derivatives follow from other constraints in all poses in which the loops are
     /// closed.
     pub closed: Vec<LoopEquation>,
@@ -171,8 +175,18 @@ impl<'a> Loading<'a> {
     /// Forms the independent motion constraints of a mechanism. Reports constraints that contradict earlier ones, and
     /// redundant ones if their redundancy is an error. `None` after errors.
     pub fn motion_constraints(&mut self, tied: ConstraintParts<'_>) -> Option<MotionConstraints> {
-        let ConstraintParts { coordinates, elements, speeds, joints, parameters, assembly, kept, stated, rolling } =
-            tied;
+        let ConstraintParts {
+            coordinates,
+            elements,
+            speeds,
+            joints,
+            parameters,
+            assembly,
+            drives,
+            kept,
+            stated,
+            rolling,
+        } = tied;
         let clock = coordinates.iter().any(|c| c.name == TIME);
         if !clock && kept.is_empty() && stated.is_empty() && rolling.is_empty() {
             return Some(MotionConstraints::default());
@@ -222,17 +236,27 @@ impl<'a> Loading<'a> {
             });
         }
         let known = default_parameter_values(parameters);
-        let given = ConstrainedSystem { coordinates, elements, loops: &loops, defaults: &known };
-        let IndependentConstraints { mut motion, repeated, also } =
+        let given = ConstrainedSystem { coordinates, elements, loops: &loops, drives, defaults: &known };
+        let IndependentConstraints { mut motion, repeated, mut also, conditions } =
             self.choose_independent_constraints(&given, candidates);
         if self.reader.errors.len() > before {
             return None;
         }
+        // A loop that no coordinate changes is no loop equation between coordinates.
+        let constant: Vec<usize> = conditions.iter().map(|(place, _)| *place).collect();
+        for (constraint, _) in motion.iter_mut().chain(&mut also) {
+            if let MotionConstraintKind::Loop(at) = &mut constraint.kind {
+                *at -= constant.iter().filter(|place| **place < *at).count();
+            }
+        }
+        let conditions = conditions.into_iter().map(|(place, e)| (loops[place].name.clone(), e)).collect();
+        let mut place = 0..loops.len();
+        loops.retain(|_| !place.next().is_some_and(|at| constant.contains(&at)));
         // The rates of loops come first in the list of motion constraints.
         let place = motion.iter().take_while(|(c, _)| matches!(c.kind, MotionConstraintKind::Loop(_))).count();
         let also_at = place..place + also.len();
         motion.splice(place..place, also);
-        let mut ties = MotionConstraints { motion, loops, repeated, ..MotionConstraints::default() };
+        let mut ties = MotionConstraints { motion, loops, repeated, conditions, ..MotionConstraints::default() };
         let brought: Vec<bool> = speeds.iter().map(|(speed, _)| joints.adds_joint_speed(speed)).collect();
         let speeds: Vec<Expr> = speeds.iter().map(|(speed, _)| speed.definition).collect();
         let home = assembly.and_then(|assembly| {
@@ -247,7 +271,7 @@ impl<'a> Loading<'a> {
             also_at,
             &mut ties,
         );
-        Some(ties)
+        (self.reader.errors.len() == before).then_some(ties)
     }
 
     /// Unit of a constraint's term, which is left side less right side of its equation. The unit is 1 if the term has

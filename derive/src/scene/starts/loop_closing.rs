@@ -63,7 +63,8 @@ impl<'a> ValueReader<'a, '_> {
         place: Range<usize>,
     ) -> Option<Vec<SolvedVariable>> {
         if let Some((name, gap)) = self.model.violated_condition(&double_values(parameters)) {
-            let message = format!("at the values of this scene `{name}` is open by {:.6} in every pose", gap.abs());
+            let gap = with_significant_digits(gap.abs(), 4);
+            let message = format!("at the values of this scene `{name}` is open by {gap} in every pose");
             let help = "give the positions of the loop's joints values with which the loop can be closed";
             self.reader.error(place, message, help);
             return None;

@@ -28,6 +28,12 @@ const RANK: f64 = 1e-10;
 /// since a pose that is a double root has only half of the digits.
 const SINGULAR: f64 = 1e-6;
 
+/// Share of a loop's largest term that counts as size of the loop where its derivatives are smaller. The derivatives of
+/// a redundant loop may vanish in every closed pose.
+const LEAST_SIZE: f64 = 1e-2;
+/// Norm of a redundant loop's derivatives below which they count as zero, relative to the norm of all derivatives.
+const VANISHING: f64 = 1e-8;
+
 /// Loop equations of a model as functions of parameters and coordinates. Independent loops come first, then redundant
 /// loops. Variables that constraints determine follow, if they are held at values.
 pub struct Loops {
@@ -118,11 +124,11 @@ impl Loops {
     /// Residuals of the redundant loops in a pose, for parameters `p` and coordinates `q` in SI units.
     #[must_use]
     pub fn redundant_residuals(&self, p: &[f64], q: &[f64]) -> Vec<DependentLoop<'_>> {
-        let (open, slopes) = (self.loop_residuals(p, q), self.slopes(p, q));
+        let (open, sizes) = (self.loop_residuals(p, q), self.term_sizes(p, q));
         let following = (self.independent..self.count).map(|row| DependentLoop {
             name: &self.names[row],
             residual: open[row],
-            part: open[row].abs() / loop_term_size(&slopes, row, q),
+            part: open[row].abs() / sizes[row],
         });
         following.collect()
     }
@@ -177,7 +183,8 @@ impl Loops {
         (self.independent..self.count).find_map(|row| {
             let row_of = slopes.row(row).transpose();
             let left = &row_of - &axes * axes.tr_mul(&row_of);
-            (left.norm() > SINGULAR * row_of.norm()).then(|| self.names[row].as_str())
+            let size = row_of.norm().max(VANISHING / SINGULAR * slopes.norm());
+            (left.norm() > SINGULAR * size).then(|| self.names[row].as_str())
         })
     }
 
@@ -237,8 +244,15 @@ impl Loops {
 
     /// True if no residual in `open` exceeds `part` times the size of the loop's terms.
     pub(in crate::scene) fn is_closed(&self, p: &[f64], q: &[f64], open: &[f64], part: f64) -> bool {
+        open.iter().zip(self.term_sizes(p, q)).all(|(open, size)| open.abs() <= part * size)
+    }
+
+    /// Size of the terms of each loop and of each held variable, in its SI unit: |∂φ/∂q| max(1, |q|), summed over the
+    /// coordinates q, but at least `LEAST_SIZE` times the largest term.
+    fn term_sizes(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
         let slopes = self.slopes(p, q);
-        open.iter().enumerate().all(|(row, open)| open.abs() <= part * loop_term_size(&slopes, row, q))
+        let largest = self.values.largest_terms(&[p, q].concat());
+        largest.iter().enumerate().map(|(row, term)| loop_term_size(&slopes, row, q).max(LEAST_SIZE * term)).collect()
     }
 
     /// True if the derivatives of the independent loops are linearly dependent in this pose (it is singular).

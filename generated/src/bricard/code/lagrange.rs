@@ -964,7 +964,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> [S; 
 
 /// The accelerations (q_P1'', q_P2'', q_P3'', q_P4'', q_P5''), solved for when this code was generated.
 ///
-/// 2264 operations, 5 sines and cosines.
+/// 2252 operations, 5 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(
@@ -1263,364 +1263,375 @@ pub fn accelerations<S: Scalar>(
     let F_x_rod1_frame_in_rod2_frame_1_2 = F_x_rod3_frame_in_rod4_frame_1
         .mul_add(cos_q_P4, x_rod3_frame_in_rod4_frame_3_2 * sin_q_P4);
     let p_v_rod2_centre_1 = p_v_rod4_centre_1_2 + p_v_rod3_centre_1_2;
-    let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5 = S::int(1) - cos_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_of_q_p5 = S::int(1) - sin_q_P5;
-    let ratio_q_P1_u_P4_of_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P4;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_2 = ratio_q_P1_u_P4_of_q_p4_q_p5 - S::int(1);
-    let ratio_q_P1_u_P4_of_place = ratio_q_P1_u_P4_of_q_p4_q_p5_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_2 = ratio_q_P1_u_P4_of_q_p3_q_p5 + ratio_q_P1_u_P4_of_place;
-    let ratio_q_P1_u_P4_of_place_3 = -ratio_q_P1_u_P4_of_place_2;
-    let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(sin_q_p2_cos_q_p4, ratio_q_P1_u_P4_of_place_3 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_q_p5 = S::int(1) - sin_q_P5;
+    let ratio_q_P2_u_P1_of_q_p5_2 = -ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5 = ratio_q_P2_u_P1_of_q_p5_2 * sin_q_P4;
+    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5 = ratio_q_P2_u_P1_of_q_p5_2 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place = (-ratio_q_P2_u_P1_of_q_p4_q_p5)
+        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p3_q_p5);
     let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
     let sin_q_p2_sin_q_p1 = sin_q_P1 * sin_q_P2;
-    let ratio_q_P1_u_P4_of_place_5 = sin_q_p2_sin_q_p1
+    let ratio_q_P2_u_P1_of_place_2 = sin_q_p2_sin_q_p1
         .mul_add(cos_q_P3, sin_q_p3_cos_q_p1);
-    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
     let sin_q_p2_sin_q_p4 = sin_q_P2 * sin_q_P4;
-    let ratio_q_P1_u_P4_of_place_6 = sin_q_p2_sin_q_p4
+    let ratio_q_P2_u_P1_of_place_3 = sin_q_p2_sin_q_p4
         .mul_add(sin_q_P3, -cos_q_p2_cos_q_p4);
     let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_7 = (-ratio_q_P1_u_P4_of_place_6)
+    let ratio_q_P2_u_P1_of_place_4 = (-ratio_q_P2_u_P1_of_place_3)
         .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4);
-    let ratio_q_P1_u_P4_of_place_8 = ratio_q_P1_u_P4_of_place_7
-        .mul_add(sin_q_P5, ratio_q_P1_u_P4_of_place_5 * cos_q_P5);
-    let l_sin_q_p1 = l * sin_q_P1;
-    let sin_q_p3_sin_q_p5 = sin_q_P3 * sin_q_P5;
-    let ratio_q_P1_u_P4_of_place_9 = cos_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, -sin_q_p3_sin_q_p5);
+    let ratio_q_P2_u_P1_of_place_5 = l
+        * ratio_q_P2_u_P1_of_place_4
+            .mul_add(sin_q_P5, ratio_q_P2_u_P1_of_place_2 * cos_q_P5);
     let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
-    let cos_q_p3_sin_q_p5 = cos_q_P3 * sin_q_P5;
-    let ratio_q_P1_u_P4_of_place_10 = sin_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, cos_q_p3_sin_q_p5);
-    let ratio_q_P1_u_P4_of_place_11 = (-ratio_q_P1_u_P4_of_place_10)
-        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
-    let ratio_q_P1_u_P4_of_place_12 = ratio_q_P1_u_P4_of_place_11
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_9 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_13 = ratio_q_P1_u_P4_of_place_10
-        .mul_add(cos_q_P2, sin_q_p2_cos_q_p4 * cos_q_P5);
-    let ratio_q_P1_u_P4_of_place_14 = l_sin_q_p1 * ratio_q_P1_u_P4_of_place_13;
-    let ratio_q_P1_u_P4_of_place_15 = (-ratio_q_P1_u_P4_of_place_12)
+    let ratio_q_P2_u_P1_of_place_6 = sin_q_p3_cos_q_p5
+        .mul_add(sin_q_P4, cos_q_P3 * sin_q_P5);
+    let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_place_7 = sin_q_p2_cos_q_p4
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_6 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_place_8 = l * ratio_q_P2_u_P1_of_place_7;
+    let cos_q_p2_sin_q_p4 = cos_q_P2 * sin_q_P4;
+    let ratio_q_P2_u_P1_of_place_9 = sin_q_p2_cos_q_p4
+        .mul_add(sin_q_P3, cos_q_p2_sin_q_p4);
+    let ratio_q_P2_u_P1_of_place_10 = cos_q_p3_cos_q_p1 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_place_11 = (-ratio_q_P2_u_P1_of_place_9)
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_10);
+    let ratio_q_P2_u_P1_of_place_12 = ratio_q_P2_u_P1_of_place_11 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_13 = ratio_q_P2_u_P1_of_place_8
         .mul_add(
-            ratio_q_P1_u_P4_of_place_14,
-            ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_of_place_8 * l_sin_q_p1,
+            ratio_q_P2_u_P1_of_place_12,
+            ratio_q_P2_u_P1_of_place * ratio_q_P2_u_P1_of_place_5,
         );
-    let ratio_q_P1_u_P4_of_place_16 = ratio_q_P1_u_P4_of_q_p4_q_p5_2
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_2 = S::int(1) - ratio_q_P2_u_P1_of_q_p4_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_3 = -ratio_q_P2_u_P1_of_q_p4_q_p5_2;
+    let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_14 = ratio_q_P2_u_P1_of_q_p4_q_p5_3
+        .mul_add(sin_q_P3, -cos_q_p3_cos_q_p5);
+    let ratio_q_P2_u_P1_of_place_15 = -ratio_q_P2_u_P1_of_place_14;
+    let ratio_q_P2_u_P1_of_place_16 = ratio_q_P2_u_P1_of_q_p4_q_p5_3
         .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
-    let ratio_q_P1_u_P4_of_place_17 = ratio_q_P1_u_P4_of_place_16 * cos_q_P2;
-    let ratio_q_P1_u_P4_of_place_18 = l * ratio_q_P1_u_P4_of_place_17;
-    let ratio_q_P1_u_P4_of_q_p4 = S::int(1) + sin_q_P4;
-    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_q_p4_2 = ratio_q_P1_u_P4_of_q_p4 - cos_q_p4_sq;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_3 = ratio_q_P1_u_P4_of_q_p4_2
-        .mul_add(sin_q_P5, cos_q_p4_sq);
-    let ratio_q_P1_u_P4_of_place_19 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_20 = (-cos_q_p3_cos_q_p5)
-        .mul_add(ratio_q_P1_u_P4_of_q_p4, ratio_q_P1_u_P4_of_place_19);
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_4 = sin_q_P5 + ratio_q_P1_u_P4_of_q_p4_q_p5;
-    let ratio_q_P1_u_P4_of_place_21 = cos_q_p2_cos_q_p4 * ratio_q_P1_u_P4_of_q_p4_q_p5_4;
-    let ratio_q_P1_u_P4_of_place_22 = ratio_q_P1_u_P4_of_place_20
-        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_place_21);
-    let ratio_q_P1_u_P4_of_place_23 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_24 = sin_q_p3_cos_q_p5 * ratio_q_P1_u_P4_of_q_p4;
-    let ratio_q_P1_u_P4_of_place_25 = ratio_q_P1_u_P4_of_place_24
-        .mul_add(S::int(2), ratio_q_P1_u_P4_of_place_23);
-    let ratio_q_P1_u_P4_of_place_26 = (-ratio_q_P1_u_P4_of_place_25)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_22 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_27 = ratio_q_P1_u_P4_of_place_26
-        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_of_place_19);
-    let ratio_q_P1_u_P4_of_place_28 = (-sin_q_p3_cos_q_p1)
-        .mul_add(ratio_q_P1_u_P4_of_place_21, ratio_q_P1_u_P4_of_place_27 * sin_q_P2);
-    let ratio_q_P1_u_P4_of_place_29 = ratio_q_P1_u_P4_of_place_23 + ratio_q_P1_u_P4_of_place_24;
-    let ratio_q_P1_u_P4_of_place_30 = ratio_q_P1_u_P4_of_place_29 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_31 = (-sin_q_p3_cos_q_p1)
-        .mul_add(ratio_q_P1_u_P4_of_place_30, ratio_q_P1_u_P4_of_place_28 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_32 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_p2_cos_q_p4;
-    let ratio_q_P1_u_P4_of_place_33 = ratio_q_P1_u_P4_of_place_3
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32);
-    let ratio_q_P1_u_P4_of_place_34 = l_sq * ratio_q_P1_u_P4_of_place_33;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_2 = sin_q_P5 - ratio_q_P1_u_P4_of_q_p3_q_p5;
-    let ratio_q_P1_u_P4_of_q_p3 = sin_q_P3 - S::int(1);
-    let ratio_q_P1_u_P4_of_place_35 = (-ratio_q_P1_u_P4_of_q_p3)
-        .mul_add(sin_q_P5, ratio_q_P1_u_P4_of_q_p3_q_p5_2 * sin_q_P4);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_3 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_4 = cos_q_p3_cos_q_p5 + ratio_q_P1_u_P4_of_q_p3_q_p5_3;
-    let ratio_q_P1_u_P4_of_place_36 = sin_q_p2_cos_q_p4
-        .mul_add(ratio_q_P1_u_P4_of_q_p3_q_p5_4, ratio_q_P1_u_P4_of_place_35 * cos_q_P2);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_5 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_6 = sin_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_5;
-    let cos_q_p4_cos_q_p1 = cos_q_P1 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_37 = ratio_q_P1_u_P4_of_q_p3_q_p5_6
-        .mul_add(cos_q_p4_cos_q_p1, ratio_q_P1_u_P4_of_place_36 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_38 = ratio_q_P1_u_P4_of_place_10 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_39 = ratio_q_P1_u_P4_of_place_38
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_37 * sin_q_P2);
-    let sin_q_p1_l_sq = l_sq * sin_q_P1;
-    let ratio_q_P1_u_P4_of_place_40 = ratio_q_P1_u_P4_of_place_39 * sin_q_p1_l_sq;
-    let ratio_q_P1_u_P4_of_place_41 = ratio_q_P1_u_P4_of_place_31
+    let ratio_q_P2_u_P1_of_place_17 = ratio_q_P2_u_P1_of_place_16 * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_18 = l
+        * ratio_q_P2_u_P1_of_place_17
+            .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_place_15 * sin_q_P1);
+    let sin_q_p3_sin_q_p5 = sin_q_P3 * sin_q_P5;
+    let ratio_q_P2_u_P1_of_place_19 = cos_q_p3_cos_q_p5
+        .mul_add(sin_q_P4, -sin_q_p3_sin_q_p5);
+    let ratio_q_P2_u_P1_of_place_20 = sin_q_p2_sin_q_p1
+        .mul_add(ratio_q_P2_u_P1_of_place_19, ratio_q_P2_u_P1_of_place_6 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_21 = ratio_q_P2_u_P1_of_place_16 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_22 = (-ratio_q_P2_u_P1_of_place_8)
         .mul_add(
-            ratio_q_P1_u_P4_of_place_34,
-            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_18,
-        ) + ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_40;
-    let ratio_q_P1_u_P4_of_place_42 = sin_q_p2_cos_q_p4
-        .mul_add(
-            ratio_q_P1_u_P4_of_q_p3_q_p5_3,
-            ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_P2,
+            ratio_q_P2_u_P1_of_place_20,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_21,
         );
-    let ratio_q_P1_u_P4_of_place_43 = ratio_q_P1_u_P4_of_place_42
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_q_p3_q_p5_5 * sin_q_P1 * cos_q_P4);
-    let ratio_q_P1_u_P4_of_place_44 = S::int(1) + ratio_q_P1_u_P4_of_place_33;
-    let ratio_q_P1_u_P4_of_place_45 = ratio_q_P1_u_P4_of_place_16 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_46 = ratio_q_P1_u_P4_of_place_44
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_45);
-    let ratio_q_P1_u_P4_of_place_47 = l * ratio_q_P1_u_P4_of_place_46;
-    let ratio_q_P1_u_P4_of_q_p2 = S::int(1) - sin_q_P2;
-    let ratio_q_P1_u_P4_of_q_p2_q_p3 = sin_q_P3 - ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_place_48 = (-ratio_q_P1_u_P4_of_q_p2_q_p3)
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_q_p3_q_p5_5);
-    let ratio_q_P1_u_P4_of_place_49 = (-sin_q_p2_sin_q_p1)
-        .mul_add(ratio_q_P1_u_P4_of_q_p3_q_p5_4, ratio_q_P1_u_P4_of_place_48 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_50 = ratio_q_P1_u_P4_of_place_35
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_38);
-    let ratio_q_P1_u_P4_of_place_51 = (-ratio_q_P1_u_P4_of_place_50)
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_49 * cos_q_P4);
-    let ratio_q_P1_u_P4_of_place_52 = sin_q_p1_l_sq * ratio_q_P1_u_P4_of_place_51;
-    let ratio_q_P1_u_P4_of_place_53 = (-ratio_q_P1_u_P4_of_place_16)
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_44 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_54 = l * ratio_q_P1_u_P4_of_place_8;
+    let ratio_q_P2_u_P1_of_place_23 = ratio_q_P2_u_P1_of_q_p4_q_p5 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_24 = ratio_q_P2_u_P1_of_q_p3_q_p5
+        .mul_add(sin_q_p2_cos_q_p4, ratio_q_P2_u_P1_of_place_23);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_2 = ratio_q_P2_u_P1_of_q_p5_2 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_25 = l
+        * (ratio_q_P2_u_P1_of_q_p3_q_p5_2 * sin_q_P1)
+            .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_24 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_26 = l * ratio_q_P2_u_P1_of_place_12;
+    let ratio_q_P2_u_P1_of_place_27 = l * ratio_q_P2_u_P1_of_place;
+    let ratio_q_P2_u_P1_of_place_28 = ratio_q_P2_u_P1_of_place_20
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_27,
+            ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_of_place_26,
+        );
+    let ratio_q_P2_u_P1_of_place_29 = (-ratio_q_P2_u_P1_of_place_6)
+        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
+    let ratio_q_P2_u_P1_of_place_30 = l
+        * (-ratio_q_P2_u_P1_of_place_29)
+            .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_19 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_31 = (-ratio_q_P2_u_P1_of_place_22)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_25,
+            ratio_q_P2_u_P1_of_place_13 * ratio_q_P2_u_P1_of_place_18,
+        ) - ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_of_place_30;
+    let ratio_q_P2_u_P1_of_place_32 = -S::int(1) - ratio_q_P2_u_P1_of_place_14;
+    let ratio_q_P2_u_P1_of_place_33 = ratio_q_P2_u_P1_of_place_32
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_q_p5_2 * cos_q_p2_cos_q_p4);
+    let ratio_q_P2_u_P1_of_place_34 = S::int(1) + ratio_q_P2_u_P1_of_place_33;
+    let ratio_q_P2_u_P1_of_place_35 = (-ratio_q_P2_u_P1_of_place_16)
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_34 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_36 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(ratio_q_P2_u_P1_of_place_10, ratio_q_P2_u_P1_of_place_24 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_37 = ratio_q_P2_u_P1_of_place_29
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_19 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_38 = (-ratio_q_P2_u_P1_of_place_26)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_37,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_36,
+        );
+    let ratio_q_P2_u_P1_of_place_39 = l * ratio_q_P2_u_P1_of_place_33;
+    let ratio_q_P2_u_P1_of_place_40 = ratio_q_P2_u_P1_of_q_p5_2 * sin_q_p2_cos_q_p4;
+    let ratio_q_P2_u_P1_of_place_41 = ratio_q_P2_u_P1_of_place_32
+        .mul_add(cos_q_P2, -ratio_q_P2_u_P1_of_place_40);
+    let ratio_q_P2_u_P1_of_place_42 = ratio_q_P2_u_P1_of_place_8 * sin_q_P1;
+    let ratio_q_P2_u_P1_of_place_43 = (-ratio_q_P2_u_P1_of_place_37)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_42,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_41 * sin_q_P1,
+        );
+    let cos_q_p2_sin_q_p1 = sin_q_P1 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_q_p3 = S::int(1) - sin_q_P3;
+    let ratio_q_P2_u_P1_of_q_p3_2 = -ratio_q_P2_u_P1_of_q_p3;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_3 = (-ratio_q_P2_u_P1_of_q_p3_2)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_q_p3_q_p5_2);
+    let ratio_q_P2_u_P1_of_place_44 = (-ratio_q_P2_u_P1_of_q_p3_q_p5_3)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_q_p3_q_p5 * sin_q_p2_sin_q_p1);
+    let ratio_q_P2_u_P1_of_place_45 = ratio_q_P2_u_P1_of_q_p4_q_p5 * cos_q_p2_sin_q_p1;
+    let ratio_q_P2_u_P1_of_place_46 = ratio_q_P2_u_P1_of_place_44
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_45);
+    let ratio_q_P2_u_P1_of_place_47 = sin_q_p2_cos_q_p4
+        .mul_add(ratio_q_P2_u_P1_of_q_p3_2, cos_q_p2_sin_q_p4);
+    let ratio_q_P2_u_P1_of_place_48 = (-ratio_q_P2_u_P1_of_place_47)
+        .mul_add(sin_q_P3, cos_q_p2_sin_q_p4);
+    let cos_q_p5_sin_q_p1 = sin_q_P1 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_49 = l_sq
+        * ratio_q_P2_u_P1_of_place_48
+            .mul_add(cos_q_p5_sin_q_p1, ratio_q_P2_u_P1_of_place_46 * cos_q_P3);
+    let ratio_q_P2_u_P1_of_place_50 = cos_q_p2_sin_q_p1 * ratio_q_P2_u_P1_of_place_49;
+    let ratio_q_P2_u_P1_of_place_51 = ratio_q_P2_u_P1_of_place_27
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_43,
+            ratio_q_P2_u_P1_of_place_38 * ratio_q_P2_u_P1_of_place_39,
+        ) + ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_of_place_50;
+    let ratio_q_P2_u_P1_of_q_p4 = S::int(1) + sin_q_P4;
+    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_2 = ratio_q_P2_u_P1_of_q_p4 - cos_q_p4_sq;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_4 = ratio_q_P2_u_P1_of_q_p4_2
+        .mul_add(sin_q_P5, cos_q_p4_sq);
+    let ratio_q_P2_u_P1_of_place_52 = ratio_q_P2_u_P1_of_q_p4_q_p5_4 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_53 = (-cos_q_p3_cos_q_p5)
+        .mul_add(ratio_q_P2_u_P1_of_q_p4, ratio_q_P2_u_P1_of_place_52);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_5 = sin_q_P5 + ratio_q_P2_u_P1_of_q_p4_q_p5;
+    let ratio_q_P2_u_P1_of_place_54 = cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p4_q_p5_5;
+    let ratio_q_P2_u_P1_of_place_55 = ratio_q_P2_u_P1_of_place_53
+        .mul_add(sin_q_P2, -ratio_q_P2_u_P1_of_place_54);
+    let ratio_q_P2_u_P1_of_place_56 = ratio_q_P2_u_P1_of_q_p4_q_p5_4 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_57 = sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_of_q_p4;
+    let ratio_q_P2_u_P1_of_place_58 = ratio_q_P2_u_P1_of_place_57
+        .mul_add(S::int(2), ratio_q_P2_u_P1_of_place_56);
+    let ratio_q_P2_u_P1_of_place_59 = (-ratio_q_P2_u_P1_of_place_58)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_55 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_60 = ratio_q_P2_u_P1_of_place_59
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_of_place_52);
+    let ratio_q_P2_u_P1_of_place_61 = (-sin_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P2_u_P1_of_place_54, ratio_q_P2_u_P1_of_place_60 * sin_q_P2);
+    let ratio_q_P2_u_P1_of_place_62 = ratio_q_P2_u_P1_of_place_56 + ratio_q_P2_u_P1_of_place_57;
+    let ratio_q_P2_u_P1_of_place_63 = ratio_q_P2_u_P1_of_place_62 * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_64 = (-sin_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P2_u_P1_of_place_63, ratio_q_P2_u_P1_of_place_61 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_65 = l_sq * ratio_q_P2_u_P1_of_place_33;
+    let ratio_q_P2_u_P1_of_place_66 = l * ratio_q_P2_u_P1_of_place_21;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_4 = cos_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_place_67 = (-ratio_q_P2_u_P1_of_q_p3_q_p5_4)
+        .mul_add(sin_q_P4, ratio_q_P2_u_P1_of_q_p3_2 * sin_q_P5);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_5 = ratio_q_P2_u_P1_of_q_p3_q_p5 + cos_q_p3_cos_q_p5;
+    let ratio_q_P2_u_P1_of_place_68 = (-sin_q_p2_cos_q_p4)
+        .mul_add(ratio_q_P2_u_P1_of_q_p3_q_p5_5, ratio_q_P2_u_P1_of_place_67 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_6 = sin_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p3_q_p5_2;
+    let ratio_q_P2_u_P1_of_place_69 = ratio_q_P2_u_P1_of_q_p3_q_p5_6 * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_70 = (-ratio_q_P2_u_P1_of_place_69)
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_68 * sin_q_P1);
+    let cos_q_p2_cos_q_p1 = cos_q_P1 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_71 = (-ratio_q_P2_u_P1_of_place_6)
+        .mul_add(cos_q_p2_cos_q_p1, ratio_q_P2_u_P1_of_place_70 * sin_q_P2);
+    let ratio_q_P2_u_P1_of_place_72 = l_sq * ratio_q_P2_u_P1_of_place_71 * sin_q_P1;
+    let ratio_q_P2_u_P1_of_place_73 = ratio_q_P2_u_P1_of_place_43
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_66,
+            ratio_q_P2_u_P1_of_place_64 * ratio_q_P2_u_P1_of_place_65,
+        ) - ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_of_place_72;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_7 = (-ratio_q_P2_u_P1_of_q_p3_q_p5_2)
+        .mul_add(S::int(2), sin_q_p3_cos_q_p5);
+    let ratio_q_P2_u_P1_of_place_74 = ratio_q_P2_u_P1_of_q_p3_q_p5_7
+        .mul_add(cos_q_P1, sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_of_q_p3_q_p5_5);
+    let ratio_q_P2_u_P1_of_place_75 = ratio_q_P2_u_P1_of_place_74
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_45);
+    let ratio_q_P2_u_P1_of_place_76 = (-cos_q_p2_sin_q_p1)
+        .mul_add(sin_q_P4, ratio_q_P2_u_P1_of_place_10);
+    let ratio_q_P2_u_P1_of_place_77 = (-cos_q_p3_cos_q_p5)
+        .mul_add(ratio_q_P2_u_P1_of_place_76, ratio_q_P2_u_P1_of_place_75 * sin_q_P3);
+    let ratio_q_P2_u_P1_of_place_78 = ratio_q_P2_u_P1_of_place_77
+        .mul_add(sin_q_P2, cos_q_p2_sin_q_p4 * ratio_q_P2_u_P1_of_place_69);
+    let ratio_q_P2_u_P1_of_place_79 = (-ratio_q_P2_u_P1_of_place_10)
+        .mul_add(ratio_q_P2_u_P1_of_place_69, ratio_q_P2_u_P1_of_place_78 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_80 = ratio_q_P2_u_P1_of_place
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_72,
+            ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_of_place_50,
+        ) + ratio_q_P2_u_P1_of_place_65 * ratio_q_P2_u_P1_of_place_79;
+    let ratio_q_P2_u_P1_of_place_81 = l * ratio_q_P2_u_P1_of_place_41;
+    let ratio_q_P2_u_P1_of_place_82 = ratio_q_P2_u_P1_of_place_81 * cos_q_P1;
+    let cos_q_p5_sq = cos_q_P5 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_q_p5_3 = S::int(2) * ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_q_p5_4 = cos_q_p5_sq - ratio_q_P2_u_P1_of_q_p5_3;
+    let cos_q_p4_sq_doubled = S::int(2) * cos_q_p4_sq;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_6 = ratio_q_P2_u_P1_of_q_p5_4 * cos_q_p4_sq_doubled;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_7 = -ratio_q_P2_u_P1_of_q_p5 - ratio_q_P2_u_P1_of_q_p4_q_p5_6;
+    let ratio_q_P2_u_P1_of_q_p5_5 = ratio_q_P2_u_P1_of_q_p5 - cos_q_p5_sq;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_8 = cos_q_p4_sq * ratio_q_P2_u_P1_of_q_p5_4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_9 = -ratio_q_P2_u_P1_of_q_p5_5
+        - ratio_q_P2_u_P1_of_q_p4_q_p5_8;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_10 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(cos_q_p4_sq, ratio_q_P2_u_P1_of_q_p4_q_p5_9 * sin_q_P4);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_11 = ratio_q_P2_u_P1_of_q_p4_q_p5_10
+        - ratio_q_P2_u_P1_of_q_p5_5;
+    let ratio_q_P2_u_P1_of_q_p4_3 = ratio_q_P2_u_P1_of_q_p4 - cos_q_p4_sq_doubled;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_12 = ratio_q_P2_u_P1_of_q_p5 * ratio_q_P2_u_P1_of_q_p4_3;
+    let ratio_q_P2_u_P1_of_place_83 = sin_q_p3_cos_q_p5
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_12,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_11 * cos_q_P3,
+        );
+    let ratio_q_P2_u_P1_of_place_84 = ratio_q_P2_u_P1_of_place_83 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_85 = ratio_q_P2_u_P1_of_q_p4_q_p5_7
+        .mul_add(sin_q_P4, -ratio_q_P2_u_P1_of_q_p5)
+        - ratio_q_P2_u_P1_of_q_p5_2 * cos_q_p4_sq_doubled - ratio_q_P2_u_P1_of_place_84;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_13 = S::int(2) * ratio_q_P2_u_P1_of_q_p4_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_14 = (-ratio_q_P2_u_P1_of_q_p5)
+        .mul_add(S::int(3), cos_q_p5_sq) - ratio_q_P2_u_P1_of_q_p4_q_p5_6
+        + ratio_q_P2_u_P1_of_q_p4_q_p5_13;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_15 = ratio_q_P2_u_P1_of_q_p4_q_p5_13 - ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_place_86 = cos_q_p3_cos_q_p5
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_15,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_14 * sin_q_P3,
+        );
+    let ratio_q_P2_u_P1_of_place_87 = sin_q_p2_cos_q_p4
+        .mul_add(ratio_q_P2_u_P1_of_place_86, ratio_q_P2_u_P1_of_place_85 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_place_88 = (-ratio_q_P2_u_P1_of_place_84)
+        .mul_add(S::int(2), ratio_q_P2_u_P1_of_q_p4_q_p5_11)
+        - ratio_q_P2_u_P1_of_place_87 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_89 = (-cos_q_p3_cos_q_p5)
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_12,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_11 * sin_q_P3,
+        );
+    let sin_q_p2_doubled = S::int(2) * sin_q_P2;
+    let ratio_q_P2_u_P1_of_place_90 = (-cos_q_p2_cos_q_p4)
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_14,
+            ratio_q_P2_u_P1_of_place_89 * sin_q_p2_doubled,
+        );
+    let ratio_q_P2_u_P1_of_place_91 = cos_q_p2_cos_q_p4 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_92 = ratio_q_P2_u_P1_of_q_p4_q_p5_15
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_91,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_12 * sin_q_P2,
+        );
+    let ratio_q_P2_u_P1_of_place_93 = ratio_q_P2_u_P1_of_place_92
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_90 * cos_q_P3);
+    let ratio_q_P2_u_P1_of_place_94 = (-ratio_q_P2_u_P1_of_place_93)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_88 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_16 = ratio_q_P2_u_P1_of_q_p4_q_p5
+        + ratio_q_P2_u_P1_of_q_p5_4 - ratio_q_P2_u_P1_of_q_p4_q_p5_8;
+    let ratio_q_P2_u_P1_of_place_95 = (-cos_q_p2_cos_q_p4)
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_16,
+            ratio_q_P2_u_P1_of_place_89 * sin_q_P2,
+        );
+    let ratio_q_P2_u_P1_of_place_96 = ratio_q_P2_u_P1_of_place_23
+        .mul_add(sin_q_P3, ratio_q_P2_u_P1_of_place_40);
+    let w_rod4_frame_in_rod5_frame_1_5 = cos_q_P4 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_97 = ratio_q_P2_u_P1_of_place_95
+        .mul_add(cos_q_P3, ratio_q_P2_u_P1_of_place_94 * cos_q_P1)
+        + w_rod4_frame_in_rod5_frame_1_5 * ratio_q_P2_u_P1_of_place_96;
+    let ratio_q_P2_u_P1_of_place_98 = l_sq * ratio_q_P2_u_P1_of_place_97;
+    let ratio_q_P2_u_P1_of_place_99 = S::int(1)
+        / ((-ratio_q_P2_u_P1_of_place_18)
+            .mul_add(
+                ratio_q_P2_u_P1_of_place_51,
+                ratio_q_P2_u_P1_of_place_25 * ratio_q_P2_u_P1_of_place_73,
+            ) + ratio_q_P2_u_P1_of_place_30 * ratio_q_P2_u_P1_of_place_80
+            + ratio_q_P2_u_P1_of_place_82 * ratio_q_P2_u_P1_of_place_98);
+    let ratio_q_P2_u_P1_of_place_100 = l * ratio_q_P2_u_P1_of_place_99;
+    let ratio_q_P2_u_P1_of_place_101 = ratio_q_P2_u_P1_of_place_35 * ratio_q_P2_u_P1_of_place_100;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_17 = ratio_q_P2_u_P1_of_q_p4_q_p5 - ratio_q_P2_u_P1_of_q_p5;
     let sin_q_p3_sin_q_p1 = sin_q_P1 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_55 = (-cos_q_p3_cos_q_p1)
+    let ratio_q_P2_u_P1_of_place_102 = (-cos_q_p3_cos_q_p1)
         .mul_add(sin_q_P2, sin_q_p3_sin_q_p1);
     let w_rod3_frame_in_rod4_frame_1_4 = cos_q_P3 * sin_q_P4;
-    let ratio_q_P1_u_P4_of_place_56 = ratio_q_P1_u_P4_of_place_6
+    let ratio_q_P2_u_P1_of_place_103 = ratio_q_P2_u_P1_of_place_3
         .mul_add(cos_q_P1, w_rod3_frame_in_rod4_frame_1_4 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_57 = (-ratio_q_P1_u_P4_of_place_56)
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_place_55 * sin_q_P5);
-    let ratio_q_P1_u_P4_of_place_58 = l * ratio_q_P1_u_P4_of_place_12;
-    let ratio_q_P1_u_P4_of_place_59 = ratio_q_P1_u_P4_of_place_57
+    let ratio_q_P2_u_P1_of_place_104 = (-ratio_q_P2_u_P1_of_place_103)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_102 * sin_q_P5);
+    let ratio_q_P2_u_P1_of_place_105 = l_sq * ratio_q_P2_u_P1_of_place_100;
+    let ratio_q_P2_u_P1_of_place_106 = ratio_q_P2_u_P1_of_place_104 * ratio_q_P2_u_P1_of_place_105;
+    let ratio_q_P2_u_P1_of_place_107 = ratio_q_P2_u_P1_of_place_106 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_108 = ratio_q_P2_u_P1_of_place_34
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_17);
+    let ratio_q_P2_u_P1_of_place_109 = ratio_q_P2_u_P1_of_place_97 * ratio_q_P2_u_P1_of_place_105;
+    let ratio_q_P2_u_P1 = ratio_q_P2_u_P1_of_q_p4_q_p5_17
         .mul_add(
-            ratio_q_P1_u_P4_of_place_58,
-            ratio_q_P1_u_P4_of_place_53 * ratio_q_P1_u_P4_of_place_54,
+            ratio_q_P2_u_P1_of_place_107,
+            ratio_q_P2_u_P1_of_place_31 * ratio_q_P2_u_P1_of_place_101,
+        ) + ratio_q_P2_u_P1_of_place_108 * ratio_q_P2_u_P1_of_place_109;
+    let ratio_q_P3_u_P1_of_place = (-ratio_q_P2_u_P1_of_place_7)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_42,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_33,
         );
-    let ratio_q_P1_u_P4_of_place_60 = l * ratio_q_P1_u_P4_of_place_33;
-    let ratio_q_P1_u_P4_of_place_61 = ratio_q_P1_u_P4_of_place_59
+    let ratio_q_P3_u_P1_of_place_2 = ratio_q_P2_u_P1_of_place
         .mul_add(
-            ratio_q_P1_u_P4_of_place_60,
-            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_52,
+            ratio_q_P2_u_P1_of_place_42,
+            ratio_q_P2_u_P1_of_place_12 * ratio_q_P2_u_P1_of_place_39,
         );
-    let ratio_q_P1_u_P4_of_place_62 = cos_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_place;
-    let ratio_q_P1_u_P4_of_place_63 = ratio_q_P1_u_P4_of_place_62
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_45 * sin_q_P2);
-    let ratio_q_P1_u_P4_of_place_64 = l * ratio_q_P1_u_P4_of_place_63;
-    let ratio_q_P1_u_P4_of_place_65 = (-ratio_q_P1_u_P4_of_place_36)
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_of_q_p2);
-    let ratio_q_P1_u_P4_of_q_p2_q_p4 = cos_q_p2_cos_q_p4 - ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_place_66 = (-ratio_q_P1_u_P4_of_q_p2_q_p4)
-        .mul_add(sin_q_P5, cos_q_p2_cos_q_p4);
-    let ratio_q_P1_u_P4_of_q_p2_2 = -ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_q_p2_q_p4_2 = (-ratio_q_P1_u_P4_of_q_p2_2)
-        .mul_add(sin_q_P4, cos_q_p2_cos_q_p4);
-    let ratio_q_P1_u_P4_of_place_67 = sin_q_p3_cos_q_p5
-        .mul_add(ratio_q_P1_u_P4_of_q_p2_q_p4_2, ratio_q_P1_u_P4_of_place_66 * cos_q_P3);
-    let ratio_q_P1_u_P4_of_place_68 = (-ratio_q_P1_u_P4_of_place_67)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_65 * sin_q_P1);
-    let cos_q_p1_l_sq = l_sq * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_69 = ratio_q_P1_u_P4_of_place_68 * cos_q_p1_l_sq;
-    let ratio_q_P1_u_P4_of_place_70 = ratio_q_P1_u_P4_of_place_13
+    let ratio_q_P3_u_P1_of_place_3 = ratio_q_P2_u_P1_of_place_25
         .mul_add(
-            ratio_q_P1_u_P4_of_place_69,
-            ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_of_place_59,
+            ratio_q_P3_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_13 * ratio_q_P2_u_P1_of_place_82,
+        ) + ratio_q_P2_u_P1_of_place_30 * ratio_q_P3_u_P1_of_place_2;
+    let ratio_q_P3_u_P1_of_place_4 = ratio_q_P2_u_P1_of_place_100 * ratio_q_P2_u_P1_of_place_108;
+    let ratio_q_P3_u_P1_of_q_p3_q_p5 = ratio_q_P2_u_P1_of_q_p3_q_p5_3
+        .mul_add(cos_q_P5, -ratio_q_P2_u_P1_of_q_p5) - ratio_q_P2_u_P1_of_q_p3_q_p5;
+    let ratio_q_P3_u_P1_of_place_5 = ratio_q_P2_u_P1_of_place_106 * cos_q_P4;
+    let ratio_q_P3_u_P1 = ratio_q_P2_u_P1_of_place_51
+        .mul_add(
+            ratio_q_P3_u_P1_of_place_4,
+            ratio_q_P2_u_P1_of_place_101 * ratio_q_P3_u_P1_of_place_3,
+        ) - ratio_q_P3_u_P1_of_q_p3_q_p5 * ratio_q_P3_u_P1_of_place_5;
+    let ratio_q_P4_u_P1_of_place = ratio_q_P2_u_P1_of_place_16 * cos_q_p2_sin_q_p1;
+    let ratio_q_P4_u_P1_of_place_2 = (-ratio_q_P2_u_P1_of_place_8)
+        .mul_add(
+            ratio_q_P4_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_20 * ratio_q_P2_u_P1_of_place_39,
         );
-    let ratio_q_P1_u_P4_of_place_71 = l * ratio_q_P1_u_P4_of_place_4;
-    let ratio_q_P1_u_P4_of_place_72 = ratio_q_P1_u_P4_of_place_71 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_73 = (-ratio_q_P1_u_P4_of_place_17)
+    let ratio_q_P4_u_P1_of_place_3 = ratio_q_P2_u_P1_of_place_18
         .mul_add(
-            ratio_q_P1_u_P4_of_place_52,
-            ratio_q_P1_u_P4_of_place_33 * ratio_q_P1_u_P4_of_place_69,
+            ratio_q_P3_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_22 * ratio_q_P2_u_P1_of_place_82,
+        ) - ratio_q_P2_u_P1_of_place_30 * ratio_q_P4_u_P1_of_place_2;
+    let ratio_q_P4_u_P1_of_q_p4_q_p5 = ratio_q_P2_u_P1_of_q_p4_q_p5_5 - S::int(2);
+    let ratio_q_P4_u_P1_of_place_4 = (-ratio_q_P4_u_P1_of_q_p4_q_p5)
+        .mul_add(sin_q_P3, cos_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p4_q_p5_2);
+    let ratio_q_P4_u_P1_of_place_5 = ratio_q_P4_u_P1_of_place_4
+        .mul_add(sin_q_P4, sin_q_P3 - sin_q_P5 + cos_q_p3_cos_q_p5);
+    let ratio_q_P4_u_P1 = ratio_q_P2_u_P1_of_place_101
+        .mul_add(
+            ratio_q_P4_u_P1_of_place_3,
+            ratio_q_P2_u_P1_of_place_73 * ratio_q_P3_u_P1_of_place_4,
+        ) - ratio_q_P2_u_P1_of_place_107 * ratio_q_P4_u_P1_of_place_5;
+    let ratio_q_P5_u_P1_of_place = ratio_q_P2_u_P1_of_place_18
+        .mul_add(
+            ratio_q_P3_u_P1_of_place_2,
+            ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_of_place_82,
+        ) + ratio_q_P2_u_P1_of_place_25 * ratio_q_P4_u_P1_of_place_2;
+    let ratio_q_P5_u_P1_of_q_p3_q_p5 = ratio_q_P2_u_P1_of_q_p3 * ratio_q_P2_u_P1_of_q_p5_4;
+    let ratio_q_P5_u_P1_of_q_p3_q_p5_2 = cos_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p3;
+    let ratio_q_P5_u_P1_of_place_2 = ratio_q_P2_u_P1_of_q_p5
+        .mul_add(
+            ratio_q_P5_u_P1_of_q_p3_q_p5_2,
+            ratio_q_P5_u_P1_of_q_p3_q_p5 * sin_q_P4,
         );
-    let ratio_q_P1_u_P4_of_place_74 = (-ratio_q_P1_u_P4_of_place_11)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_9 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_75 = l * ratio_q_P1_u_P4_of_place_74;
-    let ratio_q_P1_u_P4_of_place_76 = S::int(1)
-        / (ratio_q_P1_u_P4_of_place_61
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_64,
-                ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_of_place_47,
-            ) + ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_of_place_72
-            + ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_of_place_75);
-    let ratio_q_P1_u_P4_of_place_77 = l * ratio_q_P1_u_P4_of_place_76;
-    let ratio_q_P1_u_P4_of_place_78 = ratio_q_P1_u_P4_of_place_43 * ratio_q_P1_u_P4_of_place_77;
-    let ratio_q_P1_u_P4_of_place_79 = ratio_q_P1_u_P4_of_place_4 * cos_q_p1_l_sq;
-    let ratio_q_P1_u_P4_of_place_80 = (-ratio_q_P1_u_P4_of_place_15)
+    let ratio_q_P5_u_P1 = ratio_q_P2_u_P1_of_place_101
         .mul_add(
-            ratio_q_P1_u_P4_of_place_64,
-            ratio_q_P1_u_P4_of_place_31 * ratio_q_P1_u_P4_of_place_79,
-        ) - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_of_place_74;
-    let ratio_q_P1_u_P4_of_place_81 = (-ratio_q_P1_u_P4_of_q_p4_q_p5)
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32 * sin_q_P3);
-    let ratio_q_P1_u_P4_of_place_82 = ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_of_place_81;
-    let ratio_q_P1_u_P4_of_place_83 = (-ratio_q_P1_u_P4_of_place_13)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_14,
-            ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_60,
-        );
-    let ratio_q_P1_u_P4_of_place_84 = sin_q_p2_sin_q_p1
-        .mul_add(ratio_q_P1_u_P4_of_place_9, ratio_q_P1_u_P4_of_place_38);
-    let ratio_q_P1_u_P4_of_place_85 = l * ratio_q_P1_u_P4_of_place_13;
-    let ratio_q_P1_u_P4_of_place_86 = (-ratio_q_P1_u_P4_of_place_84)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_85,
-            ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_18,
-        );
-    let ratio_q_P1_u_P4_of_place_87 = (-ratio_q_P1_u_P4_of_place_14)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_17,
-            ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_of_place_84,
-        );
-    let ratio_q_P1_u_P4_of_place_88 = ratio_q_P1_u_P4_of_place_72
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_86,
-            ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_of_place_83,
-        ) - ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_of_place_87;
-    let ratio_q_P1_u_P4_of_place_89 = cos_q_p3_cos_q_p1 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_90 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(ratio_q_P1_u_P4_of_place_89, ratio_q_P1_u_P4_of_place_42 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_91 = ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_of_place_90;
-    let ratio_q_P1_u_P4_of_q_p5_3 = S::int(2) - sin_q_P5;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_5 = ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p5_3;
-    let ratio_q_P1_u_P4_of_place_92 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_5)
-        .mul_add(sin_q_P3, ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_7 = sin_q_P3 + cos_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_of_place_93 = ratio_q_P1_u_P4_of_place_92
-        .mul_add(sin_q_P4, -sin_q_P5) + ratio_q_P1_u_P4_of_q_p3_q_p5_7;
-    let ratio_q_P1_u_P4_of_place_94 = l_sq * ratio_q_P1_u_P4_of_place_77;
-    let ratio_q_P1_u_P4_of_place_95 = sin_q_p2_cos_q_p4
-        .mul_add(sin_q_P3, cos_q_P2 * sin_q_P4);
-    let ratio_q_P1_u_P4_of_place_96 = (-ratio_q_P1_u_P4_of_place_95)
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_89);
-    let ratio_q_P1_u_P4_of_place_97 = ratio_q_P1_u_P4_of_place_96 * cos_q_P5;
-    let ratio_q_P1_u_P4_of_place_98 = ratio_q_P1_u_P4_of_place_94 * ratio_q_P1_u_P4_of_place_97;
-    let ratio_q_P1_u_P4_of_place_99 = ratio_q_P1_u_P4_of_place_98 * cos_q_P5;
-    let ratio_q_P1_u_P4 = ratio_q_P1_u_P4_of_place_80
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_82,
-            ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_of_place_78,
-        ) - ratio_q_P1_u_P4_of_place_88 * ratio_q_P1_u_P4_of_place_91
-        - ratio_q_P1_u_P4_of_place_93 * ratio_q_P1_u_P4_of_place_99;
-    let ratio_q_P2_u_P4_of_place = l_sq * ratio_q_P1_u_P4_of_place_31;
-    let ratio_q_P2_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_69
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_74,
-            ratio_q_P1_u_P4_of_place_59 * ratio_q_P1_u_P4_of_place_64,
-        ) + ratio_q_P1_u_P4_of_place_46 * ratio_q_P2_u_P4_of_place;
-    let ratio_q_P2_u_P4_of_place_3 = l_sq * ratio_q_P1_u_P4_of_place_57;
-    let ratio_q_P2_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_place_17)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_74,
-            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_63,
-        );
-    let ratio_q_P2_u_P4_of_place_5 = (-ratio_q_P2_u_P4_of_place_3)
-        .mul_add(
-            ratio_q_P2_u_P4_of_place_4,
-            ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_of_place_86,
-        );
-    let ratio_q_P2_u_P4_of_q_p2_q_p5 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_q_p5);
-    let ratio_q_P2_u_P4_of_place_6 = ratio_q_P2_u_P4_of_q_p2_q_p5
-        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_of_q_p2);
-    let ratio_q_P2_u_P4_of_place_7 = ratio_q_P1_u_P4_of_place_32 + ratio_q_P2_u_P4_of_place_6;
-    let ratio_q_P2_u_P4_of_q_p5 = -ratio_q_P1_u_P4_of_q_p5_3;
-    let ratio_q_P2_u_P4_of_q_p4_q_p5 = ratio_q_P2_u_P4_of_q_p5
-        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_of_q_p5_3);
-    let ratio_q_P2_u_P4_of_place_8 = (-ratio_q_P2_u_P4_of_q_p4_q_p5)
-        .mul_add(cos_q_P2, ratio_q_P2_u_P4_of_place_7 * cos_q_P4);
-    let ratio_q_P2_u_P4_of_q_p2_q_p4 = ratio_q_P1_u_P4_of_q_p2_2
-        .mul_add(cos_q_P4, ratio_q_P1_u_P4_of_q_p4 * cos_q_P2);
-    let ratio_q_P2_u_P4_of_place_9 = (-sin_q_p3_cos_q_p5)
-        .mul_add(ratio_q_P2_u_P4_of_q_p2_q_p4, ratio_q_P2_u_P4_of_place_8 * cos_q_P3);
-    let ratio_q_P2_u_P4 = (-ratio_q_P1_u_P4_of_place_82)
-        .mul_add(
-            ratio_q_P2_u_P4_of_place_2,
-            ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_of_place_78,
-        ) + ratio_q_P1_u_P4_of_place_91 * ratio_q_P2_u_P4_of_place_5
-        - ratio_q_P1_u_P4_of_place_99 * ratio_q_P2_u_P4_of_place_9;
-    let ratio_q_P3_u_P4_of_place = ratio_q_P1_u_P4_of_place_59
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_72,
-            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_47,
-        ) - ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_of_place_74;
-    let ratio_q_P3_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_33 * ratio_q_P2_u_P4_of_place_3;
-    let ratio_q_P3_u_P4_of_place_3 = ratio_q_P1_u_P4_of_place_57 * ratio_q_P1_u_P4_of_place_79;
-    let ratio_q_P3_u_P4_of_place_4 = ratio_q_P1_u_P4_of_place_74
-        .mul_add(
-            ratio_q_P3_u_P4_of_place_2,
-            ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_of_place_83,
-        ) + ratio_q_P1_u_P4_of_place_13 * ratio_q_P3_u_P4_of_place_3;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5 = -ratio_q_P1_u_P4_of_q_p3_q_p5;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_3;
-    let ratio_q_P3_u_P4_of_place_5 = ratio_q_P3_u_P4_of_q_p3_q_p5_2
-        .mul_add(sin_q_P4, sin_q_P5 - S::int(3) + ratio_q_P1_u_P4_of_q_p3_q_p5_7);
-    let ratio_q_P3_u_P4_of_place_6 = (-ratio_q_P3_u_P4_of_place_5)
-        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_place_2 - ratio_q_P1_u_P4_of_place_32);
-    let ratio_q_P3_u_P4_of_place_7 = ratio_q_P3_u_P4_of_q_p3_q_p5
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_q_p4_q_p5 + ratio_q_P1_u_P4_of_place_32)
-        + ratio_q_P3_u_P4_of_place_6 * sin_q_P3;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5_3 = S::int(1) + sin_q_p3_sin_q_p5;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5_4 = (-ratio_q_P3_u_P4_of_q_p3_q_p5_3)
-        .mul_add(sin_q_P3, sin_q_P5 + ratio_q_P1_u_P4_of_q_p3_q_p5);
-    let ratio_q_P3_u_P4_of_place_8 = (-sin_q_p3_sin_q_p5).mul_add(sin_q_P3, S::int(1))
-        + ratio_q_P1_u_P4_of_place_32 + ratio_q_P3_u_P4_of_place_7 * sin_q_P4
-        - ratio_q_P3_u_P4_of_q_p3_q_p5_4 * sin_q_P2;
-    let ratio_q_P3_u_P4_of_place_9 = (-ratio_q_P2_u_P4_of_place_6)
-        .mul_add(sin_q_P3, -ratio_q_P1_u_P4_of_place_32 - ratio_q_P1_u_P4_of_q_p2);
-    let ratio_q_P3_u_P4_of_place_10 = cos_q_p3_sin_q_p5
-        .mul_add(ratio_q_P3_u_P4_of_place_9, ratio_q_P3_u_P4_of_place_8 * cos_q_P5);
-    let ratio_q_P3_u_P4 = ratio_q_P1_u_P4_of_place_82
-        .mul_add(
-            ratio_q_P3_u_P4_of_place,
-            ratio_q_P1_u_P4_of_place_61 * ratio_q_P1_u_P4_of_place_78,
-        ) + ratio_q_P1_u_P4_of_place_91 * ratio_q_P3_u_P4_of_place_4
-        + ratio_q_P1_u_P4_of_place_98 * ratio_q_P3_u_P4_of_place_10;
-    let ratio_q_P5_u_P4_of_place = ratio_q_P1_u_P4_of_place_79 * cos_q_P1;
-    let ratio_q_P5_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_52
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_63,
-            ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_of_place_46,
-        ) + ratio_q_P1_u_P4_of_place_68 * ratio_q_P5_u_P4_of_place;
-    let ratio_q_P5_u_P4_of_place_3 = ratio_q_P1_u_P4_of_place_17
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_79,
-            ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_of_place_63,
-        );
-    let ratio_q_P5_u_P4_of_place_4 = ratio_q_P1_u_P4_of_place_57
-        .mul_add(
-            ratio_q_P5_u_P4_of_place_3,
-            ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_of_place_87,
-        );
-    let ratio_q_P5_u_P4_of_place_5 = (-ratio_q_P1_u_P4_of_place_62)
-        .mul_add(cos_q_P1, sin_q_p2_sin_q_p1 * ratio_q_P1_u_P4_of_place_16);
-    let ratio_q_P5_u_P4_of_place_6 = ratio_q_P1_u_P4_of_place_4 * sin_q_p1_l_sq;
-    let ratio_q_P5_u_P4_of_place_7 = ratio_q_P1_u_P4_of_place_17
-        .mul_add(
-            ratio_q_P5_u_P4_of_place_6,
-            ratio_q_P1_u_P4_of_place_34 * ratio_q_P5_u_P4_of_place_5,
-        );
-    let ratio_q_P5_u_P4_of_place_8 = l * ratio_q_P1_u_P4_of_place_53;
-    let ratio_q_P5_u_P4_of_place_9 = ratio_q_P1_u_P4_of_place_76
-        * ratio_q_P5_u_P4_of_place_3
-            .mul_add(
-                ratio_q_P5_u_P4_of_place_8,
-                ratio_q_P1_u_P4_of_place_47 * ratio_q_P5_u_P4_of_place_7,
-            );
-    let ratio_q_P5_u_P4 = ratio_q_P1_u_P4_of_place_82
-        .mul_add(
-            ratio_q_P5_u_P4_of_place_2,
-            ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_of_place_78,
-        ) - ratio_q_P1_u_P4_of_place_91 * ratio_q_P5_u_P4_of_place_4
-        - ratio_q_P1_u_P4_of_place_97 * ratio_q_P5_u_P4_of_place_9;
+            ratio_q_P5_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_80 * ratio_q_P3_u_P1_of_place_4,
+        ) - ratio_q_P3_u_P1_of_place_5 * ratio_q_P5_u_P1_of_place_2;
     let w_rod2_frame_in_rod3_frame_2_3 = cos_q_P2 * cos_q_P3;
     let w_rod2_frame_in_rod3_frame_3_3 = cos_q_P2 * sin_q_P3;
     let w_rod3_frame_in_rod4_frame_1_3 = w_rod2_frame_in_rod3_frame_3_3
@@ -1633,7 +1644,7 @@ pub fn accelerations<S: Scalar>(
     let l_sin_q_p2 = l * sin_q_P2;
     let v_rod2_centre_3_3 = l_doubled - l_sin_q_p2;
     let H_rod2_1_3 = H_rod1_2 * sin_q_P2;
-    let v_rod3_centre_3_2 = l * ratio_q_P1_u_P4_of_q_p2;
+    let v_rod3_centre_3_2 = l - l_sin_q_p2;
     let v_rod2_frame_in_rod3_frame_2_3 = v_rod3_centre_3_2 * sin_q_P3;
     let v_rod2_frame_in_rod3_frame_3_3 = v_rod3_centre_3_2 * cos_q_P3;
     let v_rod3_centre_1_3 = l * w_rod2_frame_in_rod3_frame_2_3;
@@ -1714,7 +1725,7 @@ pub fn accelerations<S: Scalar>(
     let l_sin_q_p3 = l * sin_q_P3;
     let v_rod3_centre_1_4 = l_doubled - l_sin_q_p3;
     let H_rod3_2_4 = H_rod1_2 * sin_q_P3;
-    let v_rod4_centre_1_2 = l - l_sin_q_p3;
+    let v_rod4_centre_1_2 = l * ratio_q_P2_u_P1_of_q_p3;
     let v_rod3_frame_in_rod4_frame_1_4 = v_rod4_centre_1_2 * cos_q_P4;
     let v_rod3_frame_in_rod4_frame_3_4 = v_rod4_centre_1_2 * sin_q_P4;
     let v_rod4_centre_2_7 = l * w_rod3_frame_in_rod4_frame_3_4;
@@ -1770,11 +1781,10 @@ pub fn accelerations<S: Scalar>(
         .mul_add(cos_q_P3, p_w_rod2_frame_in_rod3_frame_3_4 * sin_q_P3);
     let p_w_rod1_frame_in_rod2_frame_1_4 = p_v_rod3_centre_3_4
         .mul_add(l_times_6, p_w_rod3_frame_1_4);
-    let w_rod4_frame_in_rod5_frame_1_5 = cos_q_P4 * cos_q_P5;
     let l_sin_q_p4 = l * sin_q_P4;
     let v_rod4_centre_2_8 = l_doubled + l_sin_q_p4;
     let H_rod4_3_5 = H_rod1_2 * sin_q_P4;
-    let v_rod5_centre_2_4 = l * ratio_q_P1_u_P4_of_q_p4;
+    let v_rod5_centre_2_4 = l * ratio_q_P2_u_P1_of_q_p4;
     let v_rod4_frame_in_rod5_frame_1_5 = v_rod5_centre_2_4 * sin_q_P5;
     let v_rod4_frame_in_rod5_frame_2_5 = v_rod5_centre_2_4 * cos_q_P5;
     let v_rod5_centre_1_5 = (-v_rod4_frame_in_rod5_frame_1_5)
@@ -1811,15 +1821,14 @@ pub fn accelerations<S: Scalar>(
         + p_w_rod5_frame_3_6 + p_v_rod4_centre_2_10 * l_times_6;
     let p_w_rod2_frame_in_rod3_frame_3_5 = (-p_w_rod3_frame_in_rod4_frame_1_5)
         .mul_add(sin_q_P4, p_w_rod3_frame_in_rod4_frame_3_5 * cos_q_P4);
-    let p_w_rod2_frame_in_rod3_frame_2_5_of_place = p_v_rod4_centre_1_5 * l_times_6;
-    let p_w_rod2_frame_in_rod3_frame_2_5 = p_w_rod4_frame_2_5
-        + p_w_rod2_frame_in_rod3_frame_2_5_of_place;
+    let p_w_rod2_frame_in_rod3_frame_2_5 = p_v_rod4_centre_1_5
+        .mul_add(l_times_6, p_w_rod4_frame_2_5);
     let p_w_rod1_frame_in_rod2_frame_2_5 = p_w_rod2_frame_in_rod3_frame_2_5
         .mul_add(cos_q_P3, p_w_rod2_frame_in_rod3_frame_3_5 * sin_q_P3);
     let p_w_rod1_frame_in_rod2_frame_1_5_of_place = p_v_rod3_centre_3_5 * l_times_6;
     let p_w_rod1_frame_in_rod2_frame_1_5 = p_w_rod1_frame_in_rod2_frame_1_5_of_place
         - p_w_rod3_frame_1_5;
-    let v_rod5_centre_3_10 = l * ratio_q_P1_u_P4_of_q_p5_3;
+    let v_rod5_centre_3_10 = (-l).mul_add(sin_q_P5, l_doubled);
     let H_rod5_1_6 = H_rod1_2 * sin_q_P5;
     let p_v_rod5_centre_3_6 = m * v_rod5_centre_3_10;
     let p_v_rod3_frame_in_rod4_frame_3_5 = mp_rod1_frame_1 + p_v_rod5_centre_3_6;
@@ -1837,8 +1846,9 @@ pub fn accelerations<S: Scalar>(
         .mul_add(l_times_6, p_w_rod4_frame_2_6);
     let p_w_rod1_frame_in_rod2_frame_2_6 = p_w_rod2_frame_in_rod3_frame_2_6
         .mul_add(cos_q_P3, p_w_rod2_frame_in_rod3_frame_3_6 * sin_q_P3);
-    let p_w_rod1_frame_in_rod2_frame_1_6 = p_v_rod3_centre_3_6
-        .mul_add(l_times_6, p_w_rod3_frame_1_6);
+    let p_w_rod1_frame_in_rod2_frame_1_6_of_place = p_v_rod3_centre_3_6 * l_times_6;
+    let p_w_rod1_frame_in_rod2_frame_1_6 = p_w_rod3_frame_1_6
+        + p_w_rod1_frame_in_rod2_frame_1_6_of_place;
     let p_v_rod5_centre_2_6 = mp_rod1_frame_1 * sin_q_P5;
     let p_v_rod3_frame_in_rod4_frame_1_6 = mp_rod1_frame_1 * cos_q_P5;
     let p_v_rod4_centre_1_7 = p_v_rod3_frame_in_rod4_frame_1_6 * cos_q_P4;
@@ -1861,924 +1871,893 @@ pub fn accelerations<S: Scalar>(
     let p_v_rod2_centre_1_2_of_place = p_v_rod4_centre_1_4 + p_v_rod3_centre_1_4;
     let p_v_rod2_centre_1_2 = p_v_rod2_centre_1_2_of_place
         .mul_add(S::int(2), mp_rod1_frame_1);
-    let q_p4_dot_ratio_q_p5_u_p4 = q_P4_dot * ratio_q_P5_u_P4;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot = q_p4_dot_ratio_q_p5_u_p4 * cos_q_P5;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_2 = q_p4_dot_cos_q_p4 * ratio_q_P1_u_P4_of_q_p5_2;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_3 = ratio_q_P1_u_P4_2_of_q_p4_dot
-        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_2_of_q_p4_dot_2);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_4 = -ratio_q_P1_u_P4_2_of_q_p4_dot_3;
-    let q_p4_dot_ratio_q_p3_u_p4 = q_P4_dot * ratio_q_P3_u_P4;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_5 = q_p4_dot_ratio_q_p3_u_p4 * cos_q_P3;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_6 = (-ratio_q_P1_u_P4_2_of_q_p4_dot_5)
-        .mul_add(cos_q_P5, sin_q_p3_sin_q_p5 * q_p4_dot_ratio_q_p5_u_p4);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_7 = q_p4_dot_ratio_q_p3_u_p4 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_8 = (-ratio_q_P1_u_P4_2_of_q_p4_dot_4)
-        .mul_add(cos_q_P3, -ratio_q_P1_u_P4_2_of_q_p4_dot_6)
-        - ratio_q_P1_u_P4_of_q_p4_q_p5_2 * ratio_q_P1_u_P4_2_of_q_p4_dot_7;
-    let q_p4_dot_ratio_q_p2_u_p4 = q_P4_dot * ratio_q_P2_u_P4;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_9 = q_p4_dot_ratio_q_p2_u_p4 * sin_q_P2;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_10 = ratio_q_P1_u_P4_of_place_16
+    let q_p1_dot_ratio_q_p5_u_p1 = q_P1_dot * ratio_q_P5_u_P1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot = q_p1_dot_ratio_q_p5_u_p1 * cos_q_P5;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_2 = ratio_q_P2_u_P1_of_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot;
+    let q_p1_dot_cos_q_p4 = q_P1_dot * cos_q_P4;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_3 = ratio_q_P4_u_P1 * q_p1_dot_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_4 = ratio_q_P2_u_P1_2_of_q_p1_dot_3 * sin_q_P4;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_5 = (-cos_q_p4_sq)
         .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_9,
-            ratio_q_P1_u_P4_2_of_q_p4_dot_8 * cos_q_P2,
+            ratio_q_P2_u_P1_2_of_q_p1_dot_2,
+            ratio_q_P2_u_P1_of_q_p5_4 * ratio_q_P2_u_P1_2_of_q_p1_dot_4,
         );
-    let ratio_q_P1_u_P4_2_of_place = ratio_q_P5_u_P4
-        .mul_add(cos_q_p3_sin_q_p5, ratio_q_P3_u_P4 * sin_q_p3_cos_q_p5);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_11 = q_P4_dot * ratio_q_P1_u_P4_2_of_place;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_12 = ratio_q_P1_u_P4_2_of_q_p4_dot_11
-        - ratio_q_P1_u_P4_2_of_q_p4_dot;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_13 = ratio_q_P1_u_P4_2_of_q_p4_dot_5 * sin_q_P5;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_14 = ratio_q_P1_u_P4_of_q_p3
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_6 = ratio_q_P5_u_P1 * q_p1_dot_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_7 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_13)
         .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot,
-            q_p4_dot_cos_q_p4 * ratio_q_P1_u_P4_of_q_p3_q_p5_2,
-        ) + ratio_q_P1_u_P4_2_of_q_p4_dot_12 * sin_q_P4 + ratio_q_P1_u_P4_2_of_q_p4_dot_13;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_15 = q_p4_dot_cos_q_p4 * cos_q_P2;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_16 = ratio_q_P2_u_P4 * ratio_q_P1_u_P4_2_of_q_p4_dot_15;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_17 = q_p4_dot_sin_q_p4
-        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_2_of_q_p4_dot_16);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_18 = ratio_q_P1_u_P4_2_of_q_p4_dot * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_19 = ratio_q_P1_u_P4_of_q_p5_2
-        .mul_add(ratio_q_P1_u_P4_2_of_q_p4_dot_5, ratio_q_P1_u_P4_2_of_q_p4_dot_18);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_20 = ratio_q_P1_u_P4_2_of_q_p4_dot_19
-        - ratio_q_P1_u_P4_2_of_q_p4_dot_11;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_21 = (-ratio_q_P1_u_P4_2_of_q_p4_dot_14)
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_35 * ratio_q_P1_u_P4_2_of_q_p4_dot_9)
-        + ratio_q_P1_u_P4_of_q_p3_q_p5_4 * ratio_q_P1_u_P4_2_of_q_p4_dot_17
-        + sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_q_p4_dot_20;
-    let q_p4_dot_ratio_q_p1_u_p4 = q_P4_dot * ratio_q_P1_u_P4;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_22 = q_p4_dot_ratio_q_p1_u_p4 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_23 = ratio_q_P1_u_P4_2_of_q_p4_dot * cos_q_P3;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_24 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(ratio_q_P1_u_P4_2_of_q_p4_dot_7, ratio_q_P1_u_P4_2_of_q_p4_dot_23);
-    let sin_q_p1_ratio_q_p1_u_p4 = ratio_q_P1_u_P4 * sin_q_P1;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_25 = q_p4_dot_cos_q_p4 * sin_q_p1_ratio_q_p1_u_p4;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_26 = q_p4_dot_ratio_q_p2_u_p4 * cos_q_P2;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_27 = q_p4_dot_ratio_q_p1_u_p4 * sin_q_P1;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_28 = (-ratio_q_P1_u_P4_2_of_q_p4_dot_7)
-        .mul_add(sin_q_P5, ratio_q_P1_u_P4_2_of_q_p4_dot_23);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_29 = q_p4_dot_cos_q_p4 * sin_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_30 = ratio_q_P1_u_P4_2_of_q_p4_dot_6
-        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_2_of_q_p4_dot_28) + ratio_q_P1_u_P4_2_of_q_p4_dot_29;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_31 = ratio_q_P1_u_P4_2_of_q_p4_dot_30
-        .mul_add(
-            cos_q_P1,
-            ratio_q_P1_u_P4_of_place_10 * ratio_q_P1_u_P4_2_of_q_p4_dot_27,
+            ratio_q_P2_u_P1_2_of_q_p1_dot_3,
+            w_rod4_frame_in_rod5_frame_1_5 * ratio_q_P2_u_P1_2_of_q_p1_dot_6,
         );
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_32 = l_sq * ratio_q_P1_u_P4_2_of_q_p4_dot_22;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_33 = sin_q_p1_l_sq
-        * (sin_q_P2
-            * (ratio_q_P1_u_P4_2_of_q_p4_dot_21 * sin_q_P1
-                + ratio_q_P1_u_P4_of_place_36 * ratio_q_P1_u_P4_2_of_q_p4_dot_22
-                - cos_q_p4_cos_q_p1
-                    * (ratio_q_P1_u_P4_2_of_q_p4_dot_6 + ratio_q_P1_u_P4_2_of_q_p4_dot_24)
-                + ratio_q_P1_u_P4_of_q_p3_q_p5_6
-                    * q_p4_dot_sin_q_p4
-                        .mul_add(cos_q_P1, -ratio_q_P1_u_P4_2_of_q_p4_dot_25))
-            + ratio_q_P1_u_P4_of_place_38 * ratio_q_P1_u_P4_2_of_q_p4_dot_9
-            - ratio_q_P1_u_P4_of_place_37 * ratio_q_P1_u_P4_2_of_q_p4_dot_26
-            - ratio_q_P1_u_P4_2_of_q_p4_dot_31 * cos_q_P2)
-        + ratio_q_P1_u_P4_of_place_39 * ratio_q_P1_u_P4_2_of_q_p4_dot_32;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_34 = q_p4_dot_cos_q_p4 * cos_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_35 = ratio_q_P1_u_P4_2_of_q_p4_dot_13
-        + ratio_q_P1_u_P4_2_of_q_p4_dot_18;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_36 = q_p4_dot_sin_q_p4
-        .mul_add(ratio_q_P1_u_P4_2_of_place, ratio_q_P1_u_P4_2_of_q_p4_dot_35);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_37 = ratio_q_P1_u_P4_2_of_q_p4_dot_34
-        + ratio_q_P1_u_P4_2_of_q_p4_dot_36;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_38 = q_p4_dot_cos_q_p4 * sin_q_P2;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_39 = ratio_q_P2_u_P4
-        .mul_add(ratio_q_P1_u_P4_2_of_q_p4_dot_38, q_p4_dot_sin_q_p4 * cos_q_P2);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_40 = ratio_q_P5_u_P4 * ratio_q_P1_u_P4_2_of_q_p4_dot_15;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_41 = ratio_q_P1_u_P4_2_of_q_p4_dot_30
-        .mul_add(
-            sin_q_P2,
-            ratio_q_P1_u_P4_of_place_10 * ratio_q_P1_u_P4_2_of_q_p4_dot_26,
-        ) + ratio_q_P1_u_P4_2_of_q_p4_dot_39 * cos_q_P5
-        - ratio_q_P1_u_P4_2_of_q_p4_dot_40 * sin_q_P5;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_42 = (-ratio_q_P1_u_P4_of_place_11)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_22,
-            ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_q_p4_dot_27,
-        ) + ratio_q_P1_u_P4_2_of_q_p4_dot_37 * cos_q_P1
-        - ratio_q_P1_u_P4_2_of_q_p4_dot_41 * sin_q_P1;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_43 = ratio_q_P1_u_P4_2_of_q_p4_dot_22 * sin_q_P2;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_44 = (-ratio_q_P1_u_P4_2_of_q_p4_dot_26)
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_2_of_q_p4_dot_43);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_45 = ratio_q_P1_u_P4_2_of_q_p4_dot_5 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_46 = ratio_q_P1_u_P4_2_of_q_p4_dot_27 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_47 = ratio_q_P1_u_P4_2_of_q_p4_dot_26 * sin_q_P4;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_48 = ratio_q_P1_u_P4_2_of_q_p4_dot_39
-        - sin_q_p2_sin_q_p4 * ratio_q_P1_u_P4_2_of_q_p4_dot_5
-        + sin_q_P3 * (ratio_q_P1_u_P4_2_of_q_p4_dot_38 + ratio_q_P1_u_P4_2_of_q_p4_dot_47);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_49 = ratio_q_P1_u_P4_2_of_q_p4_dot_27
-        .mul_add(cos_q_P3, ratio_q_P1_u_P4_2_of_q_p4_dot_7 * cos_q_P1);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_50 = q_p4_dot_ratio_q_p5_u_p4 * sin_q_P5;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_51 = cos_q_P5
-        * ((-ratio_q_P1_u_P4_2_of_q_p4_dot_44)
-            .mul_add(cos_q_P3, sin_q_p2_sin_q_p1 * ratio_q_P1_u_P4_2_of_q_p4_dot_7)
-            - ratio_q_P1_u_P4_2_of_q_p4_dot_45 + ratio_q_P1_u_P4_2_of_q_p4_dot_46)
-        - ratio_q_P1_u_P4_of_place_7 * ratio_q_P1_u_P4_2_of_q_p4_dot
-        + sin_q_P5
-            * ((-ratio_q_P1_u_P4_2_of_q_p4_dot_48)
-                .mul_add(sin_q_P1, q_p4_dot_cos_q_p4 * cos_q_p3_cos_q_p1)
-                + ratio_q_P1_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_q_p4_dot_22
-                + ratio_q_P1_u_P4_2_of_q_p4_dot_49 * sin_q_P4)
-        + ratio_q_P1_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_q_p4_dot_50;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_52 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_2)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_5,
-            ratio_q_P1_u_P4_2_of_q_p4_dot_4 * sin_q_P3,
-        );
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_53 = ratio_q_P1_u_P4_2_of_q_p4_dot_11
-        - ratio_q_P1_u_P4_2_of_q_p4_dot_52;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_54 = ratio_q_P5_u_P4 * ratio_q_P1_u_P4_2_of_q_p4_dot_38;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_55 = (-ratio_q_P1_u_P4_of_place_3)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_9,
-            ratio_q_P1_u_P4_of_q_p5_2 * ratio_q_P1_u_P4_2_of_q_p4_dot_17,
-        ) + ratio_q_P1_u_P4_2_of_q_p4_dot_53 * cos_q_P2
-        + ratio_q_P1_u_P4_2_of_q_p4_dot_54 * cos_q_P5;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_56 = ratio_q_P1_u_P4_2_of_q_p4_dot_17
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_place_10 * ratio_q_P1_u_P4_2_of_q_p4_dot_9)
-        - ratio_q_P1_u_P4_2_of_q_p4_dot_30 * cos_q_P2 - ratio_q_P1_u_P4_2_of_q_p4_dot_54 * sin_q_P5;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_57 = l_sin_q_p1 * ratio_q_P1_u_P4_2_of_q_p4_dot_56;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_58 = ratio_q_P1_u_P4_2_of_q_p4_dot_22
-        * (-ratio_q_P1_u_P4_of_place_12)
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_8 = sin_q_p5_doubled * ratio_q_P2_u_P1_2_of_q_p1_dot;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_9 = ratio_q_P2_u_P1_2_of_q_p1_dot
+        - ratio_q_P2_u_P1_2_of_q_p1_dot_8;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_10 = S::int(2) * ratio_q_P2_u_P1_2_of_q_p1_dot_5;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_11 = sin_q_P4
+        * (ratio_q_P2_u_P1_2_of_q_p1_dot_9 + ratio_q_P2_u_P1_2_of_q_p1_dot_10)
+        + ratio_q_P2_u_P1_of_q_p4_q_p5_9 * ratio_q_P2_u_P1_2_of_q_p1_dot_3;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_12 = ratio_q_P2_u_P1_2_of_q_p1_dot_7
+        - ratio_q_P2_u_P1_2_of_q_p1_dot_11;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_13 = ratio_q_P2_u_P1_2_of_q_p1_dot_9
+        - ratio_q_P2_u_P1_2_of_q_p1_dot_12;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_14 = q_p1_dot_ratio_q_p5_u_p1 * sin_q_P5;
+    let q_p1_dot_ratio_q_p3_u_p1 = q_P1_dot * ratio_q_P3_u_P1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_15 = q_p1_dot_ratio_q_p3_u_p1 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_16 = ratio_q_P2_u_P1_2_of_q_p1_dot_15 * cos_q_P5;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_17 = ratio_q_P2_u_P1_2_of_q_p1_dot_14
+        .mul_add(sin_q_P3, ratio_q_P2_u_P1_2_of_q_p1_dot_16);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_18 = q_p1_dot_ratio_q_p3_u_p1 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_19 = ratio_q_P2_u_P1_of_q_p5
+        * ratio_q_P2_u_P1_2_of_q_p1_dot_4
+            .mul_add(S::int(4), ratio_q_P2_u_P1_2_of_q_p1_dot_3)
+        - ratio_q_P2_u_P1_of_q_p4_3 * ratio_q_P2_u_P1_2_of_q_p1_dot;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_20 = cos_q_P3
+        * ((-ratio_q_P2_u_P1_of_q_p4_q_p5_12)
             .mul_add(
-                ratio_q_P1_u_P4_of_place_85,
-                ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_71,
-            ) + ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_2_of_q_p4_dot_42
-        - l_sin_q_p1
-            * ratio_q_P1_u_P4_of_place_8
-                .mul_add(
-                    ratio_q_P1_u_P4_2_of_q_p4_dot_55,
-                    ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_q_p4_dot_51,
-                ) - ratio_q_P1_u_P4_of_place_12 * ratio_q_P1_u_P4_2_of_q_p4_dot_57;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_59 = S::int(2) * q_p4_dot_cos_q_p4 * sin_q_P4;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_60 = ratio_q_P1_u_P4_2_of_q_p4_dot_59
-        + ratio_q_P1_u_P4_of_q_p4_2 * ratio_q_P1_u_P4_2_of_q_p4_dot
-        - sin_q_P5 * (q_p4_dot_cos_q_p4 + ratio_q_P1_u_P4_2_of_q_p4_dot_59);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_61 = ratio_q_P1_u_P4_2_of_q_p4_dot_60 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_62 = ratio_q_P1_u_P4_of_q_p4_q_p5_3
-        * ratio_q_P1_u_P4_2_of_q_p4_dot_5;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_63 = -ratio_q_P1_u_P4_2_of_q_p4_dot
-        - ratio_q_P1_u_P4_2_of_q_p4_dot_3;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_64 = (-cos_q_p2_cos_q_p4)
+                ratio_q_P2_u_P1_2_of_q_p1_dot_17,
+                ratio_q_P2_u_P1_2_of_q_p1_dot_13 * cos_q_P3,
+            ) + ratio_q_P2_u_P1_of_q_p4_q_p5_11 * ratio_q_P2_u_P1_2_of_q_p1_dot_18
+            + sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot_19)
+        + ratio_q_P2_u_P1_of_place_83 * ratio_q_P2_u_P1_2_of_q_p1_dot_18;
+    let sin_q_p4_ratio_q_p4_u_p1 = ratio_q_P4_u_P1 * sin_q_P4;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_21 = q_P1_dot * sin_q_p4_ratio_q_p4_u_p1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_22 = ratio_q_P2_u_P1 * q_p1_dot_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_23 = ratio_q_P2_u_P1_2_of_q_p1_dot_22
+        .mul_add(cos_q_P2, ratio_q_P2_u_P1_2_of_q_p1_dot_21 * sin_q_P2);
+    let q_p1_dot_ratio_q_p2_u_p1 = q_P1_dot * ratio_q_P2_u_P1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_24 = q_p1_dot_ratio_q_p2_u_p1 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_25 = ratio_q_P2_u_P1_of_q_p5_2
         .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_63,
-            ratio_q_P1_u_P4_of_q_p4_q_p5_4 * ratio_q_P1_u_P4_2_of_q_p4_dot_39,
+            ratio_q_P2_u_P1_2_of_q_p1_dot_3,
+            ratio_q_P2_u_P1_2_of_q_p1_dot * sin_q_P4,
         );
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_65 = ratio_q_P1_u_P4_of_q_p4
-        .mul_add(ratio_q_P1_u_P4_2_of_q_p4_dot_6, ratio_q_P1_u_P4_2_of_q_p4_dot_29);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_66 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_3)
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_26 = ratio_q_P2_u_P1_2_of_q_p1_dot_10
+        + ratio_q_P2_u_P1_2_of_q_p1_dot_25;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_27 = ratio_q_P2_u_P1_2_of_q_p1_dot
+        .mul_add(S::int(3), -ratio_q_P2_u_P1_2_of_q_p1_dot_8)
+        + S::int(2) * ratio_q_P2_u_P1_2_of_q_p1_dot_26;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_28 = (-ratio_q_P2_u_P1_2_of_q_p1_dot_14)
+        .mul_add(cos_q_P3, ratio_q_P2_u_P1_2_of_q_p1_dot_18 * cos_q_P5);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_29 = ratio_q_P2_u_P1_2_of_q_p1_dot_25
+        .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_q_p1_dot);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_30 = (-ratio_q_P2_u_P1_2_of_q_p1_dot_22)
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1_2_of_q_p1_dot_21 * cos_q_P2);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_31 = (-ratio_q_P2_u_P1_2_of_q_p1_dot_13)
         .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_7,
-            ratio_q_P1_u_P4_2_of_q_p4_dot_60 * cos_q_P3,
+            sin_q_P3,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_11 * ratio_q_P2_u_P1_2_of_q_p1_dot_15,
+        ) + cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot_19
+        + ratio_q_P2_u_P1_of_q_p4_q_p5_12 * ratio_q_P2_u_P1_2_of_q_p1_dot_28;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_32 = q_p1_dot_ratio_q_p2_u_p1 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_33 = ratio_q_P2_u_P1_of_place_89
+        * ratio_q_P2_u_P1_2_of_q_p1_dot_32;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_34 = ratio_q_P3_u_P1 * q_p1_dot_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_35 = w_rod2_frame_in_rod3_frame_2_3
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_q_p1_dot_34,
+            ratio_q_P2_u_P1_2_of_q_p1_dot_30 * sin_q_P3,
         );
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_67 = S::int(2) * ratio_q_P1_u_P4_2_of_q_p4_dot_22;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_68 = ratio_q_P1_u_P4_of_place_28
-        * ratio_q_P1_u_P4_2_of_q_p4_dot_22
-        - ratio_q_P1_u_P4_of_place_30 * ratio_q_P1_u_P4_2_of_q_p4_dot_45
-        - sin_q_P1
-            * (ratio_q_P1_u_P4_of_q_p4_q_p5_4 * ratio_q_P1_u_P4_2_of_q_p4_dot_15
-                * (-sin_q_p1_ratio_q_p1_u_p4)
-                    .mul_add(sin_q_P3, ratio_q_P3_u_P4 * cos_q_p3_cos_q_p1)
-                + ratio_q_P1_u_P4_of_place_27 * ratio_q_P1_u_P4_2_of_q_p4_dot_26
-                + sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_2_of_q_p4_dot_64
-                + sin_q_P2
-                    * (ratio_q_P1_u_P4_of_place_26 * ratio_q_P1_u_P4_2_of_q_p4_dot_7
-                        + ratio_q_P1_u_P4_of_place_19 * ratio_q_P1_u_P4_2_of_q_p4_dot_46
-                        - sin_q_p3_cos_q_p1
-                            * ratio_q_P1_u_P4_2_of_q_p4_dot_62
-                                .mul_add(S::int(2), ratio_q_P1_u_P4_2_of_q_p4_dot_61)
-                        + cos_q_P3
-                            * (sin_q_P1
-                                * (-sin_q_P2
-                                    * (ratio_q_P1_u_P4_of_q_p4
-                                        .mul_add(
-                                            ratio_q_P1_u_P4_2_of_q_p4_dot_11,
-                                            ratio_q_P1_u_P4_2_of_q_p4_dot_34,
-                                        ) + ratio_q_P1_u_P4_2_of_q_p4_dot_61
-                                        + ratio_q_P1_u_P4_2_of_q_p4_dot_62)
-                                    + ratio_q_P1_u_P4_of_place_20 * ratio_q_P1_u_P4_2_of_q_p4_dot_26
-                                    + ratio_q_P1_u_P4_2_of_q_p4_dot_64)
-                                - ratio_q_P1_u_P4_of_place_22 * ratio_q_P1_u_P4_2_of_q_p4_dot_22
-                                - ratio_q_P1_u_P4_of_place_25 * ratio_q_P1_u_P4_2_of_q_p4_dot_27
-                                + cos_q_P1
-                                    * (-ratio_q_P1_u_P4_2_of_q_p4_dot_65)
-                                        .mul_add(S::int(2), ratio_q_P1_u_P4_2_of_q_p4_dot_66))))
-        + sin_q_p3_cos_q_p1 * cos_q_P1
-            * (ratio_q_P1_u_P4_2_of_q_p4_dot_65 - ratio_q_P1_u_P4_2_of_q_p4_dot_66)
-        + ratio_q_P1_u_P4_of_place_29 * sin_q_p3_sin_q_p1 * ratio_q_P1_u_P4_2_of_q_p4_dot_67;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_69 = ratio_q_P1_u_P4_2_of_q_p4_dot_40
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_q_p5_2 * ratio_q_P1_u_P4_2_of_q_p4_dot_39);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_70 = (-ratio_q_P1_u_P4_of_place_3)
-        .mul_add(ratio_q_P1_u_P4_2_of_q_p4_dot_26, ratio_q_P1_u_P4_2_of_q_p4_dot_69)
-        - ratio_q_P1_u_P4_2_of_q_p4_dot_53 * sin_q_P2;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_71 = ratio_q_P1_u_P4_of_place_13
+    let q_p1_dot_cos_q_p1 = q_P1_dot * cos_q_P1;
+    let q_p1_dot_sin_q_p1 = q_P1_dot * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_36 = ratio_q_P2_u_P1_of_q_p5_3
+        * ratio_q_P2_u_P1_2_of_q_p1_dot;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_37 = ratio_q_P2_u_P1_2_of_q_p1_dot_6 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_38 = (-ratio_q_P2_u_P1_of_q_p5_2)
         .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_33,
-            l * ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_q_p4_dot_10,
-        ) + ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_q_p4_dot_56
-        + ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_2_of_q_p4_dot_58
-        + ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_2_of_q_p4_dot_68
-        + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_q_p4_dot_70;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_72 = (-ratio_q_P1_u_P4_of_place_9)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_22,
-            ratio_q_P1_u_P4_2_of_q_p4_dot_37 * sin_q_P1,
-        ) - ratio_q_P1_u_P4_of_place_11 * ratio_q_P1_u_P4_2_of_q_p4_dot_27
-        + ratio_q_P1_u_P4_2_of_q_p4_dot_41 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_73 = ratio_q_P1_u_P4_2_of_q_p4_dot_55 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_74 = ratio_q_P1_u_P4_of_place_4
-        .mul_add(ratio_q_P1_u_P4_2_of_q_p4_dot_27, ratio_q_P1_u_P4_2_of_q_p4_dot_73);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_75 = (-ratio_q_P1_u_P4_2_of_q_p4_dot_8)
-        .mul_add(
-            cos_q_P1,
-            ratio_q_P1_u_P4_of_place_16 * ratio_q_P1_u_P4_2_of_q_p4_dot_27,
+            ratio_q_P2_u_P1_2_of_q_p1_dot_23,
+            ratio_q_P2_u_P1_2_of_q_p1_dot_37 * cos_q_P5,
         );
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_76 = ratio_q_P1_u_P4_of_place_17 * q_p4_dot_ratio_q_p2_u_p4;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_77 = (-ratio_q_P1_u_P4_of_place_62)
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_39 = ratio_q_P2_u_P1_2_of_q_p1_dot_25
         .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_22,
-            ratio_q_P1_u_P4_2_of_q_p4_dot_53 * sin_q_P1,
-        ) + ratio_q_P1_u_P4_2_of_q_p4_dot_75 * sin_q_P2
-        + ratio_q_P1_u_P4_2_of_q_p4_dot_76 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_78 = l * ratio_q_P1_u_P4_2_of_q_p4_dot_77;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_79 = ratio_q_P1_u_P4_of_place_13
-        * ratio_q_P1_u_P4_2_of_q_p4_dot_22;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_80 = (-ratio_q_P1_u_P4_of_place_60)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_51,
-            ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_q_p4_dot_70,
-        ) - S::int(2) * ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_2_of_q_p4_dot_56
-        - ratio_q_P1_u_P4_of_place_85 * ratio_q_P1_u_P4_2_of_q_p4_dot_79;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_81 = sin_q_p2_sin_q_p1
-        .mul_add(ratio_q_P1_u_P4_2_of_q_p4_dot_37, ratio_q_P1_u_P4_2_of_q_p4_dot_31)
-        - ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_q_p4_dot_44;
-    let ratio_q_P1_u_P4_2_of_place_2 = l * ratio_q_P1_u_P4_of_place_84;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_82 = (-ratio_q_P1_u_P4_of_place_18)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_51,
-            ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_q_p4_dot_10,
-        ) + ratio_q_P1_u_P4_of_place_85 * ratio_q_P1_u_P4_2_of_q_p4_dot_81
-        - ratio_q_P1_u_P4_2_of_q_p4_dot_56 * ratio_q_P1_u_P4_2_of_place_2;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_83 = (-ratio_q_P1_u_P4_of_place_14)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_10,
-            ratio_q_P1_u_P4_2_of_q_p4_dot_70 * ratio_q_P1_u_P4_2_of_place_2,
-        ) - ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_2_of_q_p4_dot_57
-        - ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_2_of_q_p4_dot_79
-        - ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_2_of_q_p4_dot_81;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_84 = l * ratio_q_P1_u_P4_2_of_q_p4_dot_72;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_85 = l * ratio_q_P1_u_P4_2_of_q_p4_dot_74;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_86 = ratio_q_P3_u_P4 * ratio_q_P1_u_P4_2_of_q_p4_dot_38;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_87 = ratio_q_P1_u_P4_of_q_p4_q_p5
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_9,
-            ratio_q_P1_u_P4_2_of_q_p4_dot_3 * cos_q_P2,
-        ) + ratio_q_P1_u_P4_of_q_p3_q_p5_3 * ratio_q_P1_u_P4_2_of_q_p4_dot_17
-        + sin_q_p3_cos_q_p5 * ratio_q_P1_u_P4_2_of_q_p4_dot_54
-        + ratio_q_P1_u_P4_of_q_p3_q_p5_5 * ratio_q_P1_u_P4_2_of_q_p4_dot_86;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_88 = (-q_p4_dot_sin_q_p4)
-        .mul_add(cos_q_P3, ratio_q_P3_u_P4 * q_p4_dot_cos_q_p4 * sin_q_P3);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_89 = (-ratio_q_P5_u_P4)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_34,
-            ratio_q_P1_u_P4_of_q_p5_2 * ratio_q_P1_u_P4_2_of_q_p4_dot_88,
+            cos_q_P2,
+            ratio_q_P2_u_P1_of_q_p4_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot_24,
         );
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_90 = sin_q_p1_l_sq
-        * (q_p4_dot_sin_q_p4 * ratio_q_P1_u_P4_of_place_49
-            - ratio_q_P1_u_P4_of_place_50 * ratio_q_P1_u_P4_2_of_q_p4_dot_9
-            + cos_q_P2
-                * ((-ratio_q_P1_u_P4_of_place_35)
-                    .mul_add(
-                        ratio_q_P1_u_P4_2_of_q_p4_dot_22,
-                        ratio_q_P1_u_P4_2_of_q_p4_dot_14 * sin_q_P1,
-                    ) + ratio_q_P1_u_P4_2_of_q_p4_dot_31)
-            + cos_q_P4
-                * (cos_q_P1
-                    * (ratio_q_P1_u_P4_2_of_q_p4_dot_24
-                        + cos_q_P5
-                            * (ratio_q_P1_u_P4_2_of_q_p4_dot_26 - ratio_q_P1_u_P4_2_of_q_p4_dot_5)
-                        + ratio_q_P1_u_P4_of_q_p2_q_p3 * ratio_q_P1_u_P4_2_of_q_p4_dot_50)
-                    - sin_q_p2_sin_q_p1 * ratio_q_P1_u_P4_2_of_q_p4_dot_20
-                    - ratio_q_P1_u_P4_of_place_48 * ratio_q_P1_u_P4_2_of_q_p4_dot_27
-                    - ratio_q_P1_u_P4_of_q_p3_q_p5_4 * ratio_q_P1_u_P4_2_of_q_p4_dot_44))
-        + ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_2_of_q_p4_dot_32;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_91 = ratio_q_P1_u_P4_of_place_16
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_22,
-            ratio_q_P1_u_P4_2_of_q_p4_dot_8 * sin_q_P1,
-        ) + ratio_q_P1_u_P4_of_place_44 * ratio_q_P1_u_P4_2_of_q_p4_dot_27
-        - ratio_q_P1_u_P4_2_of_q_p4_dot_70 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_92 = cos_q_P5
-        * (sin_q_P1
-            * ratio_q_P1_u_P4_2_of_q_p4_dot_7
-                .mul_add(sin_q_P4, q_p4_dot_cos_q_p4 * cos_q_P3)
-            - w_rod3_frame_in_rod4_frame_1_4 * ratio_q_P1_u_P4_2_of_q_p4_dot_22
-            + ratio_q_P1_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_q_p4_dot_27
-            + ratio_q_P1_u_P4_2_of_q_p4_dot_48 * cos_q_P1)
-        + ratio_q_P1_u_P4_of_place_55 * ratio_q_P1_u_P4_2_of_q_p4_dot
-        + sin_q_P5
-            * (ratio_q_P1_u_P4_2_of_q_p4_dot_22
-                .mul_add(sin_q_P3, ratio_q_P1_u_P4_2_of_q_p4_dot_5 * sin_q_P1)
-                + cos_q_p3_cos_q_p1 * ratio_q_P1_u_P4_2_of_q_p4_dot_26
-                + ratio_q_P1_u_P4_2_of_q_p4_dot_49 * sin_q_P2)
-        + ratio_q_P1_u_P4_of_place_56 * ratio_q_P1_u_P4_2_of_q_p4_dot_50;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_93 = ratio_q_P5_u_P4_of_place_8
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_51,
-            l * ratio_q_P1_u_P4_of_place_57 * ratio_q_P1_u_P4_2_of_q_p4_dot_42,
-        ) + ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_q_p4_dot_91
-        - ratio_q_P1_u_P4_of_place_58 * ratio_q_P1_u_P4_2_of_q_p4_dot_92;
-    let ratio_q_P1_u_P4_2_of_place_3 = l * ratio_q_P1_u_P4_of_place_59;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_94 = ratio_q_P1_u_P4_of_place_13
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_90,
-            ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_q_p4_dot_56,
-        ) - ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_2_of_q_p4_dot_93
-        + ratio_q_P1_u_P4_2_of_q_p4_dot_70 * ratio_q_P1_u_P4_2_of_place_3;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_95 = ratio_q_P1_u_P4_2_of_q_p4_dot_70
-        .mul_add(
-            sin_q_P1,
-            ratio_q_P1_u_P4_of_place_44 * ratio_q_P1_u_P4_2_of_q_p4_dot_22,
-        ) - ratio_q_P1_u_P4_2_of_q_p4_dot_75;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_96 = l * ratio_q_P1_u_P4_2_of_q_p4_dot_95;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_97 = ratio_q_P1_u_P4_of_place_65
-        * ratio_q_P1_u_P4_2_of_q_p4_dot_22
-        + ratio_q_P1_u_P4_of_place_67 * ratio_q_P1_u_P4_2_of_q_p4_dot_27
-        + sin_q_P1
-            * ((-ratio_q_P1_u_P4_of_place_36)
-                .mul_add(
-                    ratio_q_P1_u_P4_2_of_q_p4_dot_9,
-                    ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_q_p4_dot_26,
-                ) - ratio_q_P1_u_P4_2_of_q_p4_dot_21 * cos_q_P2
-                - ratio_q_P1_u_P4_of_q_p2 * ratio_q_P1_u_P4_2_of_q_p4_dot_37)
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_40 = -ratio_q_P2_u_P1_of_place_96
+        * ratio_q_P2_u_P1_2_of_q_p1_dot_21
+            .mul_add(cos_q_P5, ratio_q_P2_u_P1_2_of_q_p1_dot_6 * sin_q_P5)
+        + ratio_q_P2_u_P1_of_place_95 * ratio_q_P2_u_P1_2_of_q_p1_dot_18
+        + ratio_q_P2_u_P1_of_place_94 * q_p1_dot_sin_q_p1
         + cos_q_P1
-            * (-cos_q_P3
-                * (ratio_q_P1_u_P4_2_of_q_p4_dot_39
-                    - ratio_q_P1_u_P4_of_q_p2_q_p4 * ratio_q_P1_u_P4_2_of_q_p4_dot
-                    + sin_q_P5
-                        * (ratio_q_P1_u_P4_2_of_q_p4_dot_26 - ratio_q_P1_u_P4_2_of_q_p4_dot_39))
-                + ratio_q_P1_u_P4_of_q_p2_q_p4_2 * ratio_q_P1_u_P4_2_of_q_p4_dot_6
-                + ratio_q_P1_u_P4_of_place_66 * ratio_q_P1_u_P4_2_of_q_p4_dot_7
-                - sin_q_p3_cos_q_p5
-                    * (q_p4_dot_cos_q_p4
-                        .mul_add(
-                            ratio_q_P1_u_P4_of_q_p2_2, ratio_q_P1_u_P4_2_of_q_p4_dot_39,
-                        ) + ratio_q_P1_u_P4_2_of_q_p4_dot_47));
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_98 = (-cos_q_p1_l_sq)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_97,
-            sin_q_p1_l_sq * ratio_q_P1_u_P4_of_place_68 * q_p4_dot_ratio_q_p1_u_p4,
-        );
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_99 = (-ratio_q_P1_u_P4_of_place_18)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_93,
-            ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_2_of_q_p4_dot_56,
-        ) + ratio_q_P1_u_P4_2_of_q_p4_dot_10 * ratio_q_P1_u_P4_2_of_place_3
-        - ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_2_of_q_p4_dot_98;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_100 = (-ratio_q_P1_u_P4_of_place_69)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_70,
-            ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_q_p4_dot_10,
-        ) + ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_2_of_q_p4_dot_90
-        + ratio_q_P1_u_P4_of_place_33 * ratio_q_P1_u_P4_2_of_q_p4_dot_98;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_101 = ratio_q_P1_u_P4_of_place_76
-        * ((-ratio_q_P1_u_P4_of_place_61)
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_q_p4_dot_78,
-                ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_q_p4_dot_71,
-            ) - ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_q_p4_dot_84
-            - ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_2_of_q_p4_dot_85
-            + ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_q_p4_dot_94
-            + ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_2_of_q_p4_dot_96
-            + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_q_p4_dot_99
-            - ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_2_of_q_p4_dot_100);
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_102 = (-ratio_q_P1_u_P4_of_place_42)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_27,
-            ratio_q_P1_u_P4 * cos_q_p3_cos_q_p1 * ratio_q_P1_u_P4_2_of_q_p4_dot_2,
-        ) + ratio_q_P1_u_P4_2_of_q_p4_dot_87 * cos_q_P1
-        - ratio_q_P1_u_P4_2_of_q_p4_dot_89 * sin_q_P1;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_103 = ratio_q_P1_u_P4_of_place_77
-        * ratio_q_P1_u_P4_of_place_43
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_q_p4_dot_101, -ratio_q_P1_u_P4_2_of_q_p4_dot_102,
-            );
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_104 = (-ratio_q_P1_u_P4_2_of_q_p4_dot_3)
+            * (sin_q_P1
+                * (ratio_q_P2_u_P1_2_of_q_p1_dot_13 - S::int(2) * ratio_q_P2_u_P1_2_of_q_p1_dot_20
+                    - ratio_q_P2_u_P1_of_place_87 * ratio_q_P2_u_P1_2_of_q_p1_dot_24
+                    + cos_q_P2
+                        * (-cos_q_P2
+                            * (ratio_q_P2_u_P1_2_of_q_p1_dot
+                                + ratio_q_P2_u_P1_of_q_p4_q_p5_7 * ratio_q_P2_u_P1_2_of_q_p1_dot_3
+                                + sin_q_P4
+                                    * ratio_q_P2_u_P1_2_of_q_p1_dot_5
+                                        .mul_add(S::int(4), ratio_q_P2_u_P1_2_of_q_p1_dot)
+                                - S::int(2) * ratio_q_P2_u_P1_2_of_q_p1_dot_7
+                                - ratio_q_P2_u_P1_2_of_q_p1_dot_20)
+                            + ratio_q_P2_u_P1_of_place_86 * ratio_q_P2_u_P1_2_of_q_p1_dot_23
+                            - ratio_q_P2_u_P1_of_place_85 * ratio_q_P2_u_P1_2_of_q_p1_dot_24
+                            - sin_q_p2_cos_q_p4
+                                * ((-ratio_q_P2_u_P1_of_q_p4_q_p5_14)
+                                    .mul_add(
+                                        ratio_q_P2_u_P1_2_of_q_p1_dot_15,
+                                        ratio_q_P2_u_P1_2_of_q_p1_dot_27 * sin_q_P3,
+                                    )
+                                    + ratio_q_P2_u_P1_of_q_p4_q_p5_15
+                                        * ratio_q_P2_u_P1_2_of_q_p1_dot_28
+                                    + cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot_29)))
+                + cos_q_P1
+                    * (ratio_q_P2_u_P1_of_place_92 * ratio_q_P2_u_P1_2_of_q_p1_dot_14
+                        - ratio_q_P2_u_P1_of_place_90 * ratio_q_P2_u_P1_2_of_q_p1_dot_18
+                        + cos_q_P3
+                            * ((-ratio_q_P2_u_P1_of_q_p4_q_p5_14)
+                                .mul_add(
+                                    ratio_q_P2_u_P1_2_of_q_p1_dot_30,
+                                    cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_2_of_q_p1_dot_27,
+                                ) + sin_q_p2_doubled * ratio_q_P2_u_P1_2_of_q_p1_dot_31
+                                + S::int(2) * ratio_q_P2_u_P1_2_of_q_p1_dot_33)
+                        + cos_q_P5
+                            * ((-ratio_q_P2_u_P1_2_of_q_p1_dot_19)
+                                .mul_add(
+                                    sin_q_P2,
+                                    ratio_q_P2_u_P1_of_q_p4_q_p5_12
+                                        * ratio_q_P2_u_P1_2_of_q_p1_dot_32,
+                                )
+                                - ratio_q_P2_u_P1_of_place_91 * ratio_q_P2_u_P1_2_of_q_p1_dot_29
+                                + ratio_q_P2_u_P1_of_q_p4_q_p5_15
+                                    * ratio_q_P2_u_P1_2_of_q_p1_dot_35))
+                - ratio_q_P2_u_P1_of_place_88 * q_p1_dot_cos_q_p1
+                - ratio_q_P2_u_P1_of_place_93 * q_p1_dot_sin_q_p1)
+        + cos_q_P3
+            * (ratio_q_P2_u_P1_of_q_p4_q_p5_16 * ratio_q_P2_u_P1_2_of_q_p1_dot_30
+                - ratio_q_P2_u_P1_2_of_q_p1_dot_31 * sin_q_P2 - ratio_q_P2_u_P1_2_of_q_p1_dot_33
+                - cos_q_p2_cos_q_p4
+                    * (ratio_q_P2_u_P1_2_of_q_p1_dot_26 + ratio_q_P2_u_P1_2_of_q_p1_dot_36))
+        + w_rod4_frame_in_rod5_frame_1_5
+            * ((-ratio_q_P2_u_P1_of_place_23)
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_q_p1_dot_15, ratio_q_P2_u_P1_2_of_q_p1_dot_38,
+                ) + ratio_q_P2_u_P1_2_of_q_p1_dot_39 * sin_q_P3);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_41 = ratio_q_P2_u_P1_2_of_q_p1_dot_3 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_42 = ratio_q_P2_u_P1_2_of_q_p1_dot_24
+        .mul_add(sin_q_P4, ratio_q_P2_u_P1_2_of_q_p1_dot_41);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_43 = ratio_q_P2_u_P1_2_of_q_p1_dot_34 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_44 = ratio_q_P2_u_P1_2_of_q_p1_dot_43
+        .mul_add(cos_q_P3, -ratio_q_P2_u_P1_2_of_q_p1_dot_42);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_45 = sin_q_p4_ratio_q_p4_u_p1 * q_p1_dot_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_46 = (-ratio_q_P2_u_P1_2_of_q_p1_dot_45)
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_q_p1_dot_34);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_47 = q_p1_dot_cos_q_p4 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_48 = ratio_q_P2_u_P1_2_of_q_p1_dot_47
+        .mul_add(cos_q_P3, ratio_q_P2_u_P1_2_of_q_p1_dot_46);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_49 = cos_q_P5
+        * (sin_q_P1
+            * ratio_q_P2_u_P1_2_of_q_p1_dot_23
+                .mul_add(sin_q_P3, ratio_q_P2_u_P1_2_of_q_p1_dot_44)
+            + ratio_q_P2_u_P1_of_place_9 * q_p1_dot_cos_q_p1 + ratio_q_P2_u_P1_2_of_q_p1_dot_48)
+        - ratio_q_P2_u_P1_of_place_11 * ratio_q_P2_u_P1_2_of_q_p1_dot_14;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_50 = ratio_q_P2_u_P1_2_of_q_p1_dot_6 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_51 = (-ratio_q_P2_u_P1_2_of_q_p1_dot_25)
         .mul_add(
             sin_q_P2,
-            ratio_q_P3_u_P4 * ratio_q_P1_u_P4_of_q_p3_q_p5_5 * ratio_q_P1_u_P4_2_of_q_p4_dot_15,
-        ) + ratio_q_P1_u_P4_of_q_p4_q_p5 * ratio_q_P1_u_P4_2_of_q_p4_dot_26
-        + ratio_q_P1_u_P4_2_of_q_p4_dot_69 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_105 = ratio_q_P1_u_P4_of_place_77
-        * ratio_q_P1_u_P4_of_place_81
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_q_p4_dot_101, -ratio_q_P1_u_P4_2_of_q_p4_dot_104,
-            );
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_106 = (-ratio_q_P1_u_P4_of_q_p3_q_p5_5)
+            ratio_q_P2_u_P1_of_q_p4_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot_32,
+        ) - ratio_q_P2_u_P1_of_q_p5_2 * ratio_q_P2_u_P1_2_of_q_p1_dot_35
+        + sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot_50;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_52 = ratio_q_P2_u_P1_2_of_q_p1_dot * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_53 = sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot_3;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_54 = (-ratio_q_P2_u_P1_2_of_q_p1_dot_18)
+        .mul_add(sin_q_P5, ratio_q_P2_u_P1_2_of_q_p1_dot_17 * sin_q_P4)
+        - ratio_q_P2_u_P1_2_of_q_p1_dot_52 - ratio_q_P2_u_P1_2_of_q_p1_dot_53;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_55 = (-ratio_q_P2_u_P1_of_place_6)
         .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_25,
-            -ratio_q_P1_u_P4_of_place_42 * ratio_q_P1_u_P4_2_of_q_p4_dot_22,
-        ) - ratio_q_P1_u_P4_2_of_q_p4_dot_87 * sin_q_P1
-        - ratio_q_P1_u_P4_2_of_q_p4_dot_89 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_107 = ratio_q_P1_u_P4_of_place_77
-        * ratio_q_P1_u_P4_of_place_90
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_q_p4_dot_101, ratio_q_P1_u_P4_2_of_q_p4_dot_106,
-            );
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_108 = ratio_q_P1_u_P4_2_of_q_p4_dot
-        + ratio_q_P1_u_P4_2_of_q_p4_dot_11;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_109 = sin_q_P1
-        * ((-ratio_q_P1_u_P4_2_of_q_p4_dot_9)
-            .mul_add(sin_q_P4, ratio_q_P1_u_P4_2_of_q_p4_dot_15)
-            - ratio_q_P1_u_P4_2_of_q_p4_dot_17 * sin_q_P3
-            - ratio_q_P1_u_P4_2_of_q_p4_dot_86 * cos_q_P3)
-        - ratio_q_P1_u_P4_of_place_95 * ratio_q_P1_u_P4_2_of_q_p4_dot_22
-        - ratio_q_P1_u_P4_2_of_q_p4_dot_25 * cos_q_P3 - ratio_q_P1_u_P4_2_of_q_p4_dot_88 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_110 = cos_q_P5
-        * ratio_q_P1_u_P4_of_place_96
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_q_p4_dot_101, -ratio_q_P1_u_P4_2_of_q_p4_dot_109,
-            );
-    let ratio_q_P1_u_P4_2_of_q_p4_dot_111 = ratio_q_P1_u_P4_of_place_94
-        * ratio_q_P1_u_P4_2_of_q_p4_dot_110
-            .mul_add(
-                cos_q_P5,
-                sin_q_p5_doubled * ratio_q_P1_u_P4_of_place_96 * ratio_q_P1_u_P4_2_of_q_p4_dot,
-            );
-    let ratio_q_P1_u_P4_2 = ratio_q_P1_u_P4_of_place_82
-        * (ratio_q_P1_u_P4_of_place_64
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_q_p4_dot_58,
-                ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_q_p4_dot_33,
-            ) - ratio_q_P1_u_P4_of_place_79 * ratio_q_P1_u_P4_2_of_q_p4_dot_68
-            - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_q_p4_dot_72
-            + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_q_p4_dot_74
-            - ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_q_p4_dot_78)
-        - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_q_p4_dot_71
-        + ratio_q_P1_u_P4_of_place_91
-            * ((-ratio_q_P1_u_P4_of_place_83)
+            ratio_q_P2_u_P1_2_of_q_p1_dot_24,
+            ratio_q_P2_u_P1_2_of_q_p1_dot_23 * cos_q_P5,
+        ) + ratio_q_P2_u_P1_2_of_q_p1_dot_37 * sin_q_P5
+        + ratio_q_P2_u_P1_2_of_q_p1_dot_54 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_56 = q_p1_dot_cos_q_p1
+        .mul_add(sin_q_P2, cos_q_p2_sin_q_p1 * q_p1_dot_ratio_q_p2_u_p1);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_57 = q_p1_dot_sin_q_p1 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_58 = ratio_q_P2_u_P1_2_of_q_p1_dot_15 * cos_q_P1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_59 = -ratio_q_P2_u_P1_2_of_q_p1_dot_30
+        + sin_q_p2_sin_q_p4 * ratio_q_P2_u_P1_2_of_q_p1_dot_15
+        + sin_q_P3
+            * (-ratio_q_P2_u_P1_2_of_q_p1_dot_3)
+                .mul_add(sin_q_P2, ratio_q_P2_u_P1_2_of_q_p1_dot_32 * sin_q_P4);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_60 = q_p1_dot_sin_q_p1 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_61 = ratio_q_P2_u_P1_2_of_q_p1_dot_18
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_2_of_q_p1_dot_60);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_62 = ratio_q_P2_u_P1_of_place_2
+        * ratio_q_P2_u_P1_2_of_q_p1_dot_14
+        - ratio_q_P2_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_q_p1_dot
+        + cos_q_P5
+            * ((-sin_q_p2_sin_q_p1)
                 .mul_add(
-                    ratio_q_P1_u_P4_2_of_q_p4_dot_78,
-                    ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_q_p4_dot_80,
-                ) + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_q_p4_dot_82
-                - ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_2_of_q_p4_dot_83
-                + ratio_q_P1_u_P4_of_place_87 * ratio_q_P1_u_P4_2_of_q_p4_dot_84
-                - ratio_q_P1_u_P4_of_place_86 * ratio_q_P1_u_P4_2_of_q_p4_dot_85)
-        + ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_2_of_q_p4_dot_103
-        + ratio_q_P1_u_P4_of_place_80 * ratio_q_P1_u_P4_2_of_q_p4_dot_105
-        - ratio_q_P1_u_P4_of_place_88 * ratio_q_P1_u_P4_2_of_q_p4_dot_107
-        + ratio_q_P1_u_P4_of_place_99
-            * (ratio_q_P1_u_P4_2_of_q_p4_dot_5 - q_p4_dot_cos_q_p4 * ratio_q_P1_u_P4_of_place_92
-                + sin_q_P4
-                    * ((-ratio_q_P1_u_P4_of_q_p4_q_p5_5)
-                        .mul_add(
-                            ratio_q_P1_u_P4_2_of_q_p4_dot_5, ratio_q_P1_u_P4_2_of_q_p4_dot_3,
-                        ) - ratio_q_P1_u_P4_2_of_q_p4_dot_11
-                        + ratio_q_P1_u_P4_2_of_q_p4_dot_63 * sin_q_P3)
-                - ratio_q_P1_u_P4_2_of_q_p4_dot_108)
-        - ratio_q_P1_u_P4_of_place_93 * ratio_q_P1_u_P4_2_of_q_p4_dot_111;
-    let ratio_q_P2_u_P4_2_of_q_p4_dot = (-ratio_q_P1_u_P4_of_place_63)
+                    ratio_q_P2_u_P1_2_of_q_p1_dot_18,
+                    ratio_q_P2_u_P1_2_of_q_p1_dot_56 * cos_q_P3,
+                ) - ratio_q_P2_u_P1_2_of_q_p1_dot_57 + ratio_q_P2_u_P1_2_of_q_p1_dot_58)
+        - sin_q_P5
+            * (ratio_q_P2_u_P1_of_place_3
+                .mul_add(
+                    q_p1_dot_cos_q_p1,
+                    cos_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_q_p1_dot_3,
+                ) + ratio_q_P2_u_P1_2_of_q_p1_dot_59 * sin_q_P1
+                + ratio_q_P2_u_P1_2_of_q_p1_dot_61 * sin_q_P4);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_63 = ratio_q_P2_u_P1_of_place_5
         .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_56,
-            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_2_of_q_p4_dot_77,
-        );
-    let ratio_q_P2_u_P4_2_of_q_p4_dot_2 = (-ratio_q_P1_u_P4_of_place_17)
+            ratio_q_P2_u_P1_2_of_q_p1_dot_51,
+            ratio_q_P2_u_P1_of_place_8 * ratio_q_P2_u_P1_2_of_q_p1_dot_49,
+        ) - ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_q_p1_dot_55
+        - ratio_q_P2_u_P1_of_place_27 * ratio_q_P2_u_P1_2_of_q_p1_dot_62;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_64 = ratio_q_P2_u_P1_2_of_q_p1_dot * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_65 = ratio_q_P2_u_P1_2_of_q_p1_dot_15 * sin_q_P5;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_66 = cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot_3;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_67 = ratio_q_P2_u_P1_2_of_q_p1_dot_28
+        .mul_add(sin_q_P4, -ratio_q_P2_u_P1_2_of_q_p1_dot_64)
+        + ratio_q_P2_u_P1_2_of_q_p1_dot_65 + ratio_q_P2_u_P1_2_of_q_p1_dot_66;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_68 = (-ratio_q_P2_u_P1_2_of_q_p1_dot_54)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_6 * q_p1_dot_sin_q_p1)
+        - ratio_q_P2_u_P1_of_place_19 * ratio_q_P2_u_P1_2_of_q_p1_dot_56
+        + sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_q_p1_dot_67;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_69 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_3)
+        .mul_add(ratio_q_P2_u_P1_2_of_q_p1_dot_18, ratio_q_P2_u_P1_2_of_q_p1_dot_17)
+        - ratio_q_P2_u_P1_2_of_q_p1_dot_25 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_70 = ratio_q_P2_u_P1_2_of_q_p1_dot_69 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_71 = ratio_q_P2_u_P1_of_place_16
+        * ratio_q_P2_u_P1_2_of_q_p1_dot_24;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_72 = ratio_q_P2_u_P1_2_of_q_p1_dot_71
+        - ratio_q_P2_u_P1_2_of_q_p1_dot_70;
+    let ratio_q_P2_u_P1_2_of_place = l * ratio_q_P2_u_P1_of_place_20;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_73 = (-ratio_q_P2_u_P1_of_place_66)
         .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_72,
-            ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_q_p4_dot_10,
+            ratio_q_P2_u_P1_2_of_q_p1_dot_62,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_2_of_q_p1_dot_72,
+        ) - ratio_q_P2_u_P1_of_place_8 * ratio_q_P2_u_P1_2_of_q_p1_dot_68
+        + ratio_q_P2_u_P1_2_of_q_p1_dot_55 * ratio_q_P2_u_P1_2_of_place;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_74 = ratio_q_P2_u_P1_of_place_27
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_q_p1_dot_68,
+            ratio_q_P2_u_P1_of_place_66 * ratio_q_P2_u_P1_2_of_q_p1_dot_49,
+        ) + ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_q_p1_dot_72
+        + ratio_q_P2_u_P1_2_of_q_p1_dot_51 * ratio_q_P2_u_P1_2_of_place;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_75 = (-ratio_q_P2_u_P1_2_of_q_p1_dot_25)
+        .mul_add(
+            sin_q_P3,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_3 * ratio_q_P2_u_P1_2_of_q_p1_dot_15,
+        ) + ratio_q_P2_u_P1_2_of_q_p1_dot_28;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_76 = (-ratio_q_P2_u_P1_2_of_q_p1_dot_69)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_16 * q_p1_dot_sin_q_p1);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_77 = ratio_q_P2_u_P1 * q_p1_dot_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_78 = l
+        * ((-ratio_q_P2_u_P1_of_place_15)
+            .mul_add(q_p1_dot_cos_q_p1, ratio_q_P2_u_P1_2_of_q_p1_dot_75 * sin_q_P1)
+            + ratio_q_P2_u_P1_2_of_q_p1_dot_76 * sin_q_P2
+            - ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_2_of_q_p1_dot_77);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_79 = (-sin_q_p3_cos_q_p5)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_q_p1_dot_37,
+            ratio_q_P2_u_P1_of_q_p3_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot_23,
+        ) - ratio_q_P2_u_P1_2_of_q_p1_dot_39
+        + ratio_q_P2_u_P1_of_q_p3_q_p5_2 * ratio_q_P2_u_P1_2_of_q_p1_dot_43;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_80 = cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot_6;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_81 = l
+        * (ratio_q_P2_u_P1_of_place_24 * q_p1_dot_sin_q_p1
+            - ratio_q_P2_u_P1_of_q_p5_2 * cos_q_p3_cos_q_p1 * q_p1_dot_cos_q_p4
+            - ratio_q_P4_u_P1 * ratio_q_P2_u_P1_of_q_p4_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot_60
+            - ratio_q_P2_u_P1_2_of_q_p1_dot_79 * cos_q_P1
+            + sin_q_P1
+                * ratio_q_P2_u_P1_of_q_p3_q_p5
+                    .mul_add(
+                        ratio_q_P2_u_P1_2_of_q_p1_dot_34, ratio_q_P2_u_P1_2_of_q_p1_dot_80,
+                    ));
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_82 = (-ratio_q_P2_u_P1_2_of_q_p1_dot_30)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_6 * ratio_q_P2_u_P1_2_of_q_p1_dot_32)
+        - ratio_q_P2_u_P1_2_of_q_p1_dot_50 * sin_q_P5 + ratio_q_P2_u_P1_2_of_q_p1_dot_54 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_83 = l
+        * ((-ratio_q_P2_u_P1_2_of_q_p1_dot_67)
+            .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_19 * q_p1_dot_cos_q_p1)
+            + ratio_q_P2_u_P1_of_place_29 * q_p1_dot_sin_q_p1
+            + ratio_q_P2_u_P1_2_of_q_p1_dot_82 * cos_q_P1);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_84 = ratio_q_P2_u_P1_of_place_32
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_q_p1_dot_32,
+            ratio_q_P2_u_P1_of_q_p5_2 * ratio_q_P2_u_P1_2_of_q_p1_dot_30,
+        ) - ratio_q_P2_u_P1_2_of_q_p1_dot_50 * cos_q_P5
+        - ratio_q_P2_u_P1_2_of_q_p1_dot_75 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_85 = (-ratio_q_P2_u_P1_of_place_29)
+        .mul_add(q_p1_dot_cos_q_p1, ratio_q_P2_u_P1_of_place_19 * q_p1_dot_sin_q_p1)
+        + ratio_q_P2_u_P1_2_of_q_p1_dot_67 * cos_q_P1 + ratio_q_P2_u_P1_2_of_q_p1_dot_82 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_86 = q_p1_dot_cos_q_p1 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_87 = ratio_q_P2_u_P1_2_of_q_p1_dot_24
+        .mul_add(sin_q_P1, -ratio_q_P2_u_P1_2_of_q_p1_dot_86);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_88 = l * ratio_q_P2_u_P1_2_of_q_p1_dot_55;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_89 = ratio_q_P2_u_P1_of_place_8 * q_p1_dot_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_90 = ratio_q_P2_u_P1_2_of_q_p1_dot_88
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_2_of_q_p1_dot_89);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_91 = ratio_q_P2_u_P1_of_place_32
+        .mul_add(ratio_q_P2_u_P1_2_of_q_p1_dot_24, -ratio_q_P2_u_P1_2_of_q_p1_dot_38)
+        + ratio_q_P2_u_P1_2_of_q_p1_dot_75 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_92 = ratio_q_P2_u_P1_of_place_81
+        * ratio_q_P2_u_P1_2_of_q_p1_dot_62 * sin_q_P1
+        + ratio_q_P2_u_P1_of_place_42 * ratio_q_P2_u_P1_2_of_q_p1_dot_85
+        - ratio_q_P2_u_P1_of_place_37 * ratio_q_P2_u_P1_2_of_q_p1_dot_90
+        + ratio_q_P2_u_P1_of_place_5
+            * (-ratio_q_P2_u_P1_2_of_q_p1_dot_91)
+                .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_41 * q_p1_dot_cos_q_p1);
+    let ratio_q_P2_u_P1_2_of_place_2 = l * ratio_q_P2_u_P1_of_place_43;
+    let ratio_q_P2_u_P1_2_of_place_3 = l_sq * ratio_q_P2_u_P1_of_place_7;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_93 = ratio_q_P2_u_P1_of_q_p5_2
+        .mul_add(ratio_q_P2_u_P1_2_of_q_p1_dot_18, ratio_q_P2_u_P1_2_of_q_p1_dot_52);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_94 = ratio_q_P2_u_P1_of_q_p3_2
+        .mul_add(ratio_q_P2_u_P1_2_of_q_p1_dot_14, ratio_q_P2_u_P1_2_of_q_p1_dot_16)
+        + ratio_q_P2_u_P1_2_of_q_p1_dot_93;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_95 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(ratio_q_P2_u_P1_2_of_q_p1_dot_15, ratio_q_P2_u_P1_2_of_q_p1_dot_64);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_96 = ratio_q_P2_u_P1_of_q_p4_q_p5
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_q_p1_dot_87,
+            cos_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_q_p1_dot_25,
         );
-    let ratio_q_P2_u_P4_2_of_q_p4_dot_3 = sin_q_P4
-        * ratio_q_P1_u_P4_of_q_p5_2
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_q_p4_dot_26,
-                ratio_q_P1_u_P4_of_q_p2 * ratio_q_P1_u_P4_2_of_q_p4_dot,
-            ) - q_p4_dot_cos_q_p4 * ratio_q_P2_u_P4_of_q_p2_q_p5;
-    let ratio_q_P2_u_P4_2_of_q_p4_dot_4 = ratio_q_P1_u_P4_2_of_q_p4_dot_26
-        - ratio_q_P2_u_P4_2_of_q_p4_dot_3;
-    let ratio_q_P2_u_P4_2 = ratio_q_P1_u_P4_of_place_82
-        * ((-ratio_q_P1_u_P4_of_place_69)
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_q_p4_dot_72,
-                l_sq * ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_2_of_q_p4_dot_68,
-            ) - ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_q_p4_dot_93
-            - ratio_q_P1_u_P4_2_of_q_p4_dot_77 * ratio_q_P1_u_P4_2_of_place_3
-            + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_q_p4_dot_95
-            - ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_q_p4_dot_98)
-        - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_q_p4_dot_99
-        + ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_2_of_q_p4_dot_103
-        - ratio_q_P2_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_q_p4_dot_105
-        + ratio_q_P2_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_q_p4_dot_107
-        - ratio_q_P2_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_q_p4_dot_111
-        + ratio_q_P1_u_P4_of_place_91
-            * (l_sq * ratio_q_P2_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_q_p4_dot_92
-                - ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_q_p4_dot_82
-                - ratio_q_P1_u_P4_of_place_86 * ratio_q_P1_u_P4_2_of_q_p4_dot_96
-                - ratio_q_P2_u_P4_of_place_3
-                    * (ratio_q_P2_u_P4_2_of_q_p4_dot + ratio_q_P2_u_P4_2_of_q_p4_dot_2))
-        + ratio_q_P1_u_P4_of_place_99
-            * (ratio_q_P2_u_P4_of_q_p2_q_p4 * ratio_q_P1_u_P4_2_of_q_p4_dot_6
-                - ratio_q_P2_u_P4_of_place_8 * ratio_q_P1_u_P4_2_of_q_p4_dot_7
-                + sin_q_p3_cos_q_p5
-                    * ((-q_p4_dot_sin_q_p4)
-                        .mul_add(
-                            ratio_q_P1_u_P4_of_q_p2_2, ratio_q_P1_u_P4_2_of_q_p4_dot_15,
-                        ) - ratio_q_P1_u_P4_of_q_p4 * ratio_q_P1_u_P4_2_of_q_p4_dot_9
-                        + ratio_q_P1_u_P4_2_of_q_p4_dot_16)
-                + cos_q_P3
-                    * (cos_q_P2
-                        * (-ratio_q_P1_u_P4_of_q_p4)
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_97 = cos_q_p2_sin_q_p1
+        * (ratio_q_P2_u_P1_of_place_48
+            * q_p1_dot_cos_q_p1
+                .mul_add(cos_q_P5, ratio_q_P2_u_P1_2_of_q_p1_dot_14 * sin_q_P1)
+            - ratio_q_P2_u_P1_of_place_46 * ratio_q_P2_u_P1_2_of_q_p1_dot_18
+            - cos_q_p5_sin_q_p1
+                * (ratio_q_P2_u_P1_2_of_q_p1_dot_42
+                    + ratio_q_P2_u_P1_of_place_47 * ratio_q_P2_u_P1_2_of_q_p1_dot_15
+                    + sin_q_P3
+                        * ratio_q_P2_u_P1_of_q_p3_2
                             .mul_add(
-                                ratio_q_P1_u_P4_2_of_q_p4_dot,
-                                q_p4_dot_cos_q_p4 * ratio_q_P2_u_P4_of_q_p5,
-                            ) + q_p4_dot_sin_q_p4 * ratio_q_P2_u_P4_of_place_7
-                        - ratio_q_P2_u_P4_of_q_p4_q_p5 * ratio_q_P1_u_P4_2_of_q_p4_dot_9
-                        + cos_q_P4
-                            * (ratio_q_P1_u_P4_2_of_q_p4_dot_69
-                                - ratio_q_P2_u_P4_2_of_q_p4_dot_4)));
-    let ratio_q_P3_u_P4_2_of_q_p4_dot = ratio_q_P1_u_P4_of_place_96
-        .mul_add(ratio_q_P1_u_P4_2_of_q_p4_dot_50, ratio_q_P1_u_P4_2_of_q_p4_dot_110);
-    let ratio_q_P3_u_P4_2 = ratio_q_P1_u_P4_of_place_91
-        * (ratio_q_P3_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_q_p4_dot_72
-            - ratio_q_P3_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_q_p4_dot_56
-            - ratio_q_P2_u_P4_of_place_3
-                * (-ratio_q_P1_u_P4_of_place_13)
+                                ratio_q_P2_u_P1_2_of_q_p1_dot_23, ratio_q_P2_u_P1_2_of_q_p1_dot_44,
+                            ))
+            - cos_q_P3
+                * (cos_q_P4
+                    * ((-ratio_q_P2_u_P1_of_q_p3_q_p5_3)
+                        .mul_add(
+                            q_p1_dot_sin_q_p1,
+                            sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_q_p1_dot_95,
+                        ) - ratio_q_P2_u_P1_of_q_p3_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot_56
+                        - ratio_q_P2_u_P1_2_of_q_p1_dot_94 * cos_q_P1)
+                    - ratio_q_P2_u_P1_of_place_44 * ratio_q_P2_u_P1_2_of_q_p1_dot_21
+                    + ratio_q_P2_u_P1_2_of_q_p1_dot_96));
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_98 = ratio_q_P2_u_P1_of_place_50
+        * ratio_q_P2_u_P1_2_of_q_p1_dot_55
+        + l * ratio_q_P2_u_P1_of_place_38 * ratio_q_P2_u_P1_2_of_q_p1_dot_84
+        + ratio_q_P2_u_P1_of_place_39
+            * (l
+                * ratio_q_P2_u_P1_of_place_36
                     .mul_add(
-                        ratio_q_P1_u_P4_2_of_q_p4_dot_74,
-                        ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_q_p4_dot_70,
-                    ) - ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_q_p4_dot_80
-            - ratio_q_P1_u_P4_2_of_q_p4_dot_92
-                * ratio_q_P1_u_P4_of_place_13
-                    .mul_add(
-                        ratio_q_P1_u_P4_of_place_79,
-                        ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_of_place_74,
-                    ) - ratio_q_P1_u_P4_of_place_83 * ratio_q_P1_u_P4_2_of_q_p4_dot_96)
-        - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_q_p4_dot_94
-        + ratio_q_P1_u_P4_of_place_82
-            * ((-ratio_q_P1_u_P4_of_place_47)
-                .mul_add(
-                    ratio_q_P1_u_P4_2_of_q_p4_dot_58,
-                    ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_q_p4_dot_90,
-                ) - ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_q_p4_dot_72
-                + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_q_p4_dot_93
-                + ratio_q_P1_u_P4_2_of_q_p4_dot_74 * ratio_q_P1_u_P4_2_of_place_3
-                - ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_q_p4_dot_96)
-        + ratio_q_P1_u_P4_of_place_61 * ratio_q_P1_u_P4_2_of_q_p4_dot_103
-        + ratio_q_P3_u_P4_of_place * ratio_q_P1_u_P4_2_of_q_p4_dot_105
-        + ratio_q_P3_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_q_p4_dot_107
-        + ratio_q_P1_u_P4_of_place_98
-            * (ratio_q_P3_u_P4_of_place_8 * ratio_q_P1_u_P4_2_of_q_p4_dot_50
-                - ratio_q_P3_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_q_p4_dot_28
-                - cos_q_P5
-                    * (ratio_q_P3_u_P4_of_q_p3_q_p5_4 * ratio_q_P1_u_P4_2_of_q_p4_dot_26
-                        - q_p4_dot_cos_q_p4 * ratio_q_P3_u_P4_of_place_7
-                        - sin_q_P3
-                            * sin_q_p5_doubled
-                                .mul_add(
-                                    ratio_q_P1_u_P4_2_of_q_p4_dot_5,
-                                    ratio_q_P1_u_P4_2_of_q_p4_dot_18,
-                                ) + ratio_q_P1_u_P4_2_of_q_p4_dot_69
-                        + sin_q_P4
-                            * (ratio_q_P1_u_P4_2_of_q_p4_dot_3
-                                + ratio_q_P3_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_q_p4_dot_5
-                                - ratio_q_P1_u_P4_2_of_q_p4_dot_11 * sin_q_P2
-                                - ratio_q_P3_u_P4_of_q_p3_q_p5 * ratio_q_P1_u_P4_2_of_q_p4_dot_26
-                                + ratio_q_P1_u_P4_2_of_q_p4_dot_69
-                                + sin_q_P3
-                                    * (-sin_q_P2
-                                        * (ratio_q_P1_u_P4_2_of_q_p4_dot_5
-                                            - q_p4_dot_cos_q_p4 * ratio_q_P3_u_P4_of_q_p3_q_p5_2
-                                            - ratio_q_P1_u_P4_2_of_q_p4_dot_12
-                                            + sin_q_P4
-                                                * (ratio_q_P1_u_P4_2_of_q_p4_dot
-                                                    - ratio_q_P1_u_P4_2_of_q_p4_dot_19))
-                                        + ratio_q_P3_u_P4_of_place_5
-                                            * ratio_q_P1_u_P4_2_of_q_p4_dot_26
-                                        - ratio_q_P1_u_P4_2_of_q_p4_dot_53
-                                        - ratio_q_P1_u_P4_2_of_q_p4_dot_69))
+                        ratio_q_P2_u_P1_2_of_q_p1_dot_62,
+                        ratio_q_P2_u_P1_of_place_37 * ratio_q_P2_u_P1_2_of_q_p1_dot_49,
+                    )
+                + ratio_q_P2_u_P1_of_place_5
+                    * (ratio_q_P2_u_P1_of_q_p5_2
+                        .mul_add(
+                            ratio_q_P2_u_P1_2_of_q_p1_dot_48,
+                            ratio_q_P2_u_P1_of_place_24 * q_p1_dot_cos_q_p1,
+                        ) + ratio_q_P2_u_P1_2_of_q_p1_dot_79 * sin_q_P1
+                        + ratio_q_P2_u_P1_2_of_q_p1_dot_80 * cos_q_P1)
+                + ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_q_p1_dot_85)
+        - ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_of_place_49
+            * ratio_q_P2_u_P1_2_of_q_p1_dot_87
+        + ratio_q_P2_u_P1_of_place_27 * ratio_q_P2_u_P1_2_of_q_p1_dot_92
+        - ratio_q_P2_u_P1_2_of_q_p1_dot_51 * ratio_q_P2_u_P1_2_of_place_2
+        + ratio_q_P2_u_P1_2_of_place_3 * ratio_q_P2_u_P1_2_of_q_p1_dot_97;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_99 = S::int(2) * ratio_q_P2_u_P1_2_of_q_p1_dot_4;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_100 = ratio_q_P2_u_P1_2_of_q_p1_dot_99
+        - ratio_q_P2_u_P1_of_q_p4_2 * ratio_q_P2_u_P1_2_of_q_p1_dot
+        - sin_q_P5 * (ratio_q_P2_u_P1_2_of_q_p1_dot_3 + ratio_q_P2_u_P1_2_of_q_p1_dot_99);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_101 = ratio_q_P2_u_P1_2_of_q_p1_dot_100 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_102 = ratio_q_P2_u_P1_of_q_p4_q_p5_4
+        * ratio_q_P2_u_P1_2_of_q_p1_dot_15;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_103 = ratio_q_P2_u_P1_2_of_q_p1_dot
+        + ratio_q_P2_u_P1_2_of_q_p1_dot_25;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_104 = cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_2_of_q_p1_dot_103;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_105 = ratio_q_P2_u_P1_of_q_p4
+        .mul_add(ratio_q_P2_u_P1_2_of_q_p1_dot_17, -ratio_q_P2_u_P1_2_of_q_p1_dot_53);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_106 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_4)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_q_p1_dot_18,
+            ratio_q_P2_u_P1_2_of_q_p1_dot_100 * cos_q_P3,
+        );
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_107 = ratio_q_P2_u_P1_2_of_q_p1_dot_28
+        + ratio_q_P2_u_P1_2_of_q_p1_dot_95;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_108 = cos_q_P1
+        * (ratio_q_P2_u_P1_2_of_q_p1_dot_17 + ratio_q_P2_u_P1_2_of_q_p1_dot_93);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_109 = ratio_q_P2_u_P1_of_q_p3_q_p5_6
+        * ratio_q_P2_u_P1_2_of_q_p1_dot_47;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_110 = ratio_q_P2_u_P1_2_of_q_p1_dot_77
+        .mul_add(sin_q_P2, q_p1_dot_sin_q_p1 * cos_q_P2);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_111 = sin_q_P1
+        * (ratio_q_P2_u_P1_of_place_70 * ratio_q_P2_u_P1_2_of_q_p1_dot_32
+            - cos_q_p2_cos_q_p1 * ratio_q_P2_u_P1_2_of_q_p1_dot_54
+            + sin_q_P2
+                * (ratio_q_P2_u_P1_of_place_68 * q_p1_dot_cos_q_p1
+                    - ratio_q_P2_u_P1_of_q_p3_q_p5_6 * ratio_q_P2_u_P1_2_of_q_p1_dot_45
+                    + sin_q_P1
+                        * (cos_q_P2
+                            * (ratio_q_P2_u_P1_of_q_p3_q_p5_4 * ratio_q_P2_u_P1_2_of_q_p1_dot_3
+                                - ratio_q_P2_u_P1_of_q_p3_2 * ratio_q_P2_u_P1_2_of_q_p1_dot
+                                + sin_q_P4
+                                    * (ratio_q_P2_u_P1_2_of_q_p1_dot
+                                        + ratio_q_P2_u_P1_2_of_q_p1_dot_28)
+                                + ratio_q_P2_u_P1_2_of_q_p1_dot_65)
+                            - ratio_q_P2_u_P1_of_q_p3_q_p5_5 * ratio_q_P2_u_P1_2_of_q_p1_dot_23
+                            - ratio_q_P2_u_P1_of_place_67 * ratio_q_P2_u_P1_2_of_q_p1_dot_24
+                            + sin_q_p2_cos_q_p4 * ratio_q_P2_u_P1_2_of_q_p1_dot_107)
+                    - ratio_q_P2_u_P1_2_of_q_p1_dot_108 * cos_q_P4
+                    + ratio_q_P2_u_P1_2_of_q_p1_dot_109)
+            + ratio_q_P2_u_P1_of_place_6 * ratio_q_P2_u_P1_2_of_q_p1_dot_110)
+        + ratio_q_P2_u_P1_of_place_71 * q_p1_dot_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_112 = l_sq * ratio_q_P2_u_P1_2_of_q_p1_dot_84;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_113 = ratio_q_P2_u_P1_of_place_72
+        * ratio_q_P2_u_P1_2_of_q_p1_dot_55
+        - ratio_q_P2_u_P1_of_place_66 * ratio_q_P2_u_P1_2_of_q_p1_dot_92
+        + ratio_q_P2_u_P1_2_of_q_p1_dot_72 * ratio_q_P2_u_P1_2_of_place_2
+        + ratio_q_P2_u_P1_of_place_65
+            * (-q_p1_dot_cos_q_p1
+                * (ratio_q_P2_u_P1_of_place_62 * sin_q_p3_sin_q_p1)
+                    .mul_add(S::int(2), ratio_q_P2_u_P1_of_place_61)
+                + ratio_q_P2_u_P1_of_place_63 * ratio_q_P2_u_P1_2_of_q_p1_dot_58
+                - sin_q_P1
+                    * (ratio_q_P2_u_P1_of_q_p4_q_p5_5
+                        * (-ratio_q_P2_u_P1_2_of_q_p1_dot_35)
+                            .mul_add(
+                                cos_q_P1,
+                                cos_q_p2_sin_q_p1 * q_p1_dot_cos_q_p4 * sin_q_P3,
+                            ) + ratio_q_P2_u_P1_of_place_60 * ratio_q_P2_u_P1_2_of_q_p1_dot_32
+                        + sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_q_p1_dot_104
                         + sin_q_P2
-                            * (ratio_q_P3_u_P4_of_q_p3_q_p5_3
-                                .mul_add(
-                                    ratio_q_P1_u_P4_2_of_q_p4_dot_5,
-                                    -ratio_q_P1_u_P4_2_of_q_p4_dot_108,
-                                ) + ratio_q_P1_u_P4_2_of_q_p4_dot_35 * sin_q_P3))
-                - cos_q_p3_sin_q_p5
-                    * ((-ratio_q_P2_u_P4_of_place_6)
-                        .mul_add(
-                            ratio_q_P1_u_P4_2_of_q_p4_dot_5,
-                            ratio_q_P2_u_P4_2_of_q_p4_dot_4 * sin_q_P3,
-                        ) - ratio_q_P1_u_P4_2_of_q_p4_dot_26 - ratio_q_P1_u_P4_2_of_q_p4_dot_69))
-        + ratio_q_P1_u_P4_of_place_94 * ratio_q_P3_u_P4_of_place_10 * ratio_q_P3_u_P4_2_of_q_p4_dot;
-    let ratio_q_P5_u_P4_2_of_q_p4_dot = (-ratio_q_P1_u_P4_of_place_18)
+                            * (sin_q_p3_cos_q_p1
+                                * ratio_q_P2_u_P1_2_of_q_p1_dot_102
+                                    .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_q_p1_dot_101)
+                                - ratio_q_P2_u_P1_of_place_59 * ratio_q_P2_u_P1_2_of_q_p1_dot_18
+                                - ratio_q_P2_u_P1_of_place_52 * ratio_q_P2_u_P1_2_of_q_p1_dot_57
+                                + cos_q_P3
+                                    * (ratio_q_P2_u_P1_of_place_55 * q_p1_dot_cos_q_p1
+                                        + ratio_q_P2_u_P1_of_place_58 * q_p1_dot_sin_q_p1
+                                        + sin_q_P1
+                                            * (ratio_q_P2_u_P1_of_place_53
+                                                * ratio_q_P2_u_P1_2_of_q_p1_dot_32
+                                                - ratio_q_P2_u_P1_of_q_p4_q_p5_5
+                                                    * ratio_q_P2_u_P1_2_of_q_p1_dot_30
+                                                + sin_q_P2
+                                                    * (ratio_q_P2_u_P1_of_q_p4
+                                                        .mul_add(
+                                                            ratio_q_P2_u_P1_2_of_q_p1_dot_28,
+                                                            ratio_q_P2_u_P1_2_of_q_p1_dot_66,
+                                                        ) + ratio_q_P2_u_P1_2_of_q_p1_dot_101
+                                                        + ratio_q_P2_u_P1_2_of_q_p1_dot_102)
+                                                + ratio_q_P2_u_P1_2_of_q_p1_dot_104)
+                                        - cos_q_P1
+                                            * ratio_q_P2_u_P1_2_of_q_p1_dot_105
+                                                .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_q_p1_dot_106))))
+                + sin_q_p3_cos_q_p1 * cos_q_P1
+                    * (ratio_q_P2_u_P1_2_of_q_p1_dot_105 + ratio_q_P2_u_P1_2_of_q_p1_dot_106))
+        + ratio_q_P2_u_P1_2_of_place_3 * ratio_q_P2_u_P1_2_of_q_p1_dot_111
+        - ratio_q_P2_u_P1_of_place_64 * ratio_q_P2_u_P1_2_of_q_p1_dot_112;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_114 = ratio_q_P2_u_P1_of_place_50
+        * (-ratio_q_P2_u_P1_2_of_q_p1_dot_71)
+            .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_q_p1_dot_70)
+        - ratio_q_P2_u_P1_of_place_72 * ratio_q_P2_u_P1_2_of_q_p1_dot_51
+        + ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_of_place_49
+            * ratio_q_P2_u_P1_2_of_q_p1_dot_86
+        + ratio_q_P2_u_P1_of_place_65
+            * (ratio_q_P2_u_P1_of_place_78 * q_p1_dot_cos_q_p1
+                - ratio_q_P2_u_P1_of_place_10 * ratio_q_P2_u_P1_2_of_q_p1_dot_108
+                + ratio_q_P2_u_P1_of_place_69 * ratio_q_P2_u_P1_2_of_q_p1_dot_46
+                + S::int(2) * cos_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_q_p1_dot_109
+                - sin_q_P1
+                    * (ratio_q_P2_u_P1_of_place_69 * ratio_q_P2_u_P1_2_of_q_p1_dot_41
+                        - ratio_q_P2_u_P1_of_place_77 * ratio_q_P2_u_P1_2_of_q_p1_dot_32
+                        + sin_q_P2
+                            * (cos_q_p3_cos_q_p5
+                                * (cos_q_p2_sin_q_p1
+                                    .mul_add(
+                                        ratio_q_P2_u_P1_2_of_q_p1_dot_3,
+                                        -ratio_q_P2_u_P1_2_of_q_p1_dot_48,
+                                    ) + ratio_q_P2_u_P1_2_of_q_p1_dot_87 * sin_q_P4)
+                                - ratio_q_P2_u_P1_of_place_75 * ratio_q_P2_u_P1_2_of_q_p1_dot_15
+                                - ratio_q_P2_u_P1_of_place_76 * ratio_q_P2_u_P1_2_of_q_p1_dot_28
+                                + sin_q_P3
+                                    * (ratio_q_P2_u_P1_2_of_q_p1_dot_96
+                                        - ratio_q_P2_u_P1_of_place_74
+                                            * ratio_q_P2_u_P1_2_of_q_p1_dot_21
+                                        + cos_q_P4
+                                            * (ratio_q_P2_u_P1_of_q_p3_q_p5_7 * q_p1_dot_sin_q_p1
+                                                - ratio_q_P2_u_P1_of_q_p3_q_p5_5
+                                                    * ratio_q_P2_u_P1_2_of_q_p1_dot_56
+                                                - cos_q_P1
+                                                    * ratio_q_P2_u_P1_2_of_q_p1_dot_93
+                                                        .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_q_p1_dot_17)
+                                                + sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_q_p1_dot_107)))
+                        - cos_q_p2_sin_q_p4 * ratio_q_P2_u_P1_2_of_q_p1_dot_108
+                        + ratio_q_P2_u_P1_of_q_p3_q_p5_6
+                            * ratio_q_P2_u_P1_2_of_q_p1_dot_110 * sin_q_P4))
+        + l_sq
+            * ratio_q_P2_u_P1_of_place
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_q_p1_dot_111,
+                    ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_2_of_q_p1_dot_97,
+                ) + ratio_q_P2_u_P1_of_place_79 * ratio_q_P2_u_P1_2_of_q_p1_dot_112;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_115 = l
+        * ratio_q_P2_u_P1_2_of_q_p1_dot_91
+            .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_41 * q_p1_dot_sin_q_p1);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_116 = ratio_q_P2_u_P1_of_place_99
+        * ((-ratio_q_P2_u_P1_of_place_51)
+            .mul_add(
+                ratio_q_P2_u_P1_2_of_q_p1_dot_78,
+                l_sq * ratio_q_P2_u_P1_of_place_82 * ratio_q_P2_u_P1_2_of_q_p1_dot_40,
+            ) + ratio_q_P2_u_P1_of_place_73 * ratio_q_P2_u_P1_2_of_q_p1_dot_81
+            - ratio_q_P2_u_P1_of_place_80 * ratio_q_P2_u_P1_2_of_q_p1_dot_83
+            + ratio_q_P2_u_P1_of_place_18 * ratio_q_P2_u_P1_2_of_q_p1_dot_98
+            + ratio_q_P2_u_P1_of_place_25 * ratio_q_P2_u_P1_2_of_q_p1_dot_113
+            - ratio_q_P2_u_P1_of_place_30 * ratio_q_P2_u_P1_2_of_q_p1_dot_114
+            + ratio_q_P2_u_P1_of_place_98 * ratio_q_P2_u_P1_2_of_q_p1_dot_115);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_117 = ratio_q_P2_u_P1_of_place_102
+        * ratio_q_P2_u_P1_2_of_q_p1_dot
+        + ratio_q_P2_u_P1_of_place_103 * ratio_q_P2_u_P1_2_of_q_p1_dot_14
+        + cos_q_P5
+            * (-sin_q_P1
+                * ratio_q_P2_u_P1_2_of_q_p1_dot_18
+                    .mul_add(sin_q_P4, ratio_q_P2_u_P1_2_of_q_p1_dot_3 * cos_q_P3)
+                + w_rod3_frame_in_rod4_frame_1_4 * q_p1_dot_cos_q_p1
+                - ratio_q_P2_u_P1_of_place_3 * q_p1_dot_sin_q_p1
+                + ratio_q_P2_u_P1_2_of_q_p1_dot_59 * cos_q_P1)
+        + sin_q_P5
+            * ((-ratio_q_P2_u_P1_2_of_q_p1_dot_15)
+                .mul_add(
+                    sin_q_P1,
+                    w_rod2_frame_in_rod3_frame_2_3 * ratio_q_P2_u_P1_2_of_q_p1_dot_77,
+                ) - q_p1_dot_cos_q_p1 * sin_q_P3 - ratio_q_P2_u_P1_2_of_q_p1_dot_61 * sin_q_P2);
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_118 = ratio_q_P2_u_P1_of_place_105
+        * ratio_q_P2_u_P1_of_place_104
+            .mul_add(
+                ratio_q_P2_u_P1_2_of_q_p1_dot_116, -ratio_q_P2_u_P1_2_of_q_p1_dot_117,
+            );
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_119 = ratio_q_P2_u_P1_2_of_q_p1_dot_118
         .mul_add(
-            ratio_q_P1_u_P4_2_of_q_p4_dot_74,
-            ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_q_p4_dot_70,
+            cos_q_P5,
+            ratio_q_P2_u_P1_of_place_106 * ratio_q_P2_u_P1_2_of_q_p1_dot_14,
         );
-    let ratio_q_P5_u_P4_2 = ratio_q_P1_u_P4_of_place_91
-        * (ratio_q_P2_u_P4_of_place_3
-            * (-ratio_q_P1_u_P4_of_place_17)
-                .mul_add(
-                    ratio_q_P1_u_P4_2_of_q_p4_dot_74,
-                    ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_q_p4_dot_70,
-                ) + ratio_q_P3_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_q_p4_dot_10
-            - ratio_q_P3_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_q_p4_dot_77
-            + ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_q_p4_dot_83
-            + ratio_q_P5_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_q_p4_dot_92
-            + ratio_q_P1_u_P4_of_place_87 * ratio_q_P1_u_P4_2_of_q_p4_dot_96)
-        + ratio_q_P1_u_P4_of_place_82
-            * ((-ratio_q_P1_u_P4_of_place_46)
-                .mul_add(
-                    ratio_q_P1_u_P4_2_of_q_p4_dot_33,
-                    ratio_q_P1_u_P4_of_place_68 * ratio_q_P5_u_P4_of_place_6
-                        * ratio_q_P1_u_P4_2_of_q_p4_dot_67,
-                ) + ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_2_of_q_p4_dot_73
-                + ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_q_p4_dot_77
-                - ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_q_p4_dot_90
-                - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_q_p4_dot_95
-                - ratio_q_P5_u_P4_of_place * ratio_q_P1_u_P4_2_of_q_p4_dot_97)
-        + ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_q_p4_dot_100
-        + ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_q_p4_dot_103
-        + ratio_q_P5_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_q_p4_dot_105
-        - ratio_q_P5_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_q_p4_dot_107
-        - ratio_q_P5_u_P4_of_place_9 * ratio_q_P3_u_P4_2_of_q_p4_dot
-        + ratio_q_P1_u_P4_of_place_76 * ratio_q_P1_u_P4_of_place_97
-            * (ratio_q_P1_u_P4_of_place_79 * ratio_q_P5_u_P4_of_place_8
-                * ratio_q_P1_u_P4_2_of_q_p4_dot_10
-                - l * ratio_q_P5_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_q_p4_dot_91
-                + ratio_q_P1_u_P4_of_place_47
-                    * (ratio_q_P1_u_P4_of_place_17
-                        * (-sin_q_p1_l_sq)
-                            .mul_add(
-                                ratio_q_P1_u_P4_2_of_q_p4_dot_55,
-                                ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_q_p4_dot_32,
-                            ) + ratio_q_P5_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_q_p4_dot_10
-                        + l_sq * ratio_q_P5_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_q_p4_dot_70
-                        + ratio_q_P1_u_P4_of_place_34
-                            * (ratio_q_P1_u_P4_of_place_62
-                                .mul_add(
-                                    ratio_q_P1_u_P4_2_of_q_p4_dot_27,
-                                    sin_q_p2_sin_q_p1 * ratio_q_P1_u_P4_2_of_q_p4_dot_8,
-                                )
-                                + ratio_q_P1_u_P4_of_place_16 * ratio_q_P1_u_P4_2_of_q_p4_dot_43
-                                + ratio_q_P1_u_P4_2_of_q_p4_dot_53 * cos_q_P1
-                                - ratio_q_P1_u_P4_2_of_q_p4_dot_76 * sin_q_P1))
-                + ratio_q_P5_u_P4_of_place_7 * ratio_q_P1_u_P4_2_of_q_p4_dot_96
-                - l_sq * ratio_q_P1_u_P4_of_place_53
-                    * ratio_q_P1_u_P4_of_place_60
-                        .mul_add(
-                            ratio_q_P1_u_P4_2_of_q_p4_dot_77, -ratio_q_P5_u_P4_2_of_q_p4_dot,
-                        ));
-    let d1_of_place = ratio_q_P5_u_P4 * p_w_rod5_frame_3_6;
-    let ratio_q_p3_u_p4_doubled = S::int(2) * ratio_q_P3_u_P4;
-    let ratio_q_p5_u_p4_doubled = S::int(2) * ratio_q_P5_u_P4;
-    let d1_of_place_2 = ratio_q_P2_u_P4
-        .mul_add(p_w_rod1_frame_in_rod2_frame_1_4, -p_w_rod1_frame_in_rod2_frame_1_6);
-    let d1_of_place_3 = ratio_q_P1_u_P4 * p_w_rod1_frame_in_rod2_frame_1_3;
-    let d1_of_place_4 = ratio_q_P2_u_P4
-        .mul_add(p_w_rod1_frame_in_rod2_frame_2_4, -p_w_rod1_frame_in_rod2_frame_2_6);
-    let d1_of_place_5 = ratio_q_P1_u_P4 * p_w_rod1_frame_in_rod2_frame_2_3;
-    let d1_of_place_6 = ratio_q_P2_u_P4
-        .mul_add(p_v_rod3_centre_3_4, -p_v_rod3_centre_3_6);
-    let d1_of_place_7 = ratio_q_P1_u_P4 * p_v_rod1_centre_3_2;
-    let ratio_q_p3_u_p4_times_4 = S::int(4) * ratio_q_P3_u_P4;
-    let ratio_q_p5_u_p4_times_4 = S::int(4) * ratio_q_P5_u_P4;
-    let ratio_q_p1_u_p4_h_rod1_2 = ratio_q_P1_u_P4 * H_rod1_2;
-    let d1_of_place_8 = ratio_q_P5_u_P4
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_120 = ratio_q_P2_u_P1_of_place_34
+        .mul_add(q_p1_dot_sin_q_p1, ratio_q_P2_u_P1_of_place_16 * q_p1_dot_cos_q_p1)
+        + ratio_q_P2_u_P1_2_of_q_p1_dot_69 * sin_q_P1 - ratio_q_P2_u_P1_2_of_q_p1_dot_84 * cos_q_P1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_121 = ratio_q_P2_u_P1_of_place_100
+        * ratio_q_P2_u_P1_of_place_35
+            .mul_add(
+                ratio_q_P2_u_P1_2_of_q_p1_dot_116, -ratio_q_P2_u_P1_2_of_q_p1_dot_120,
+            );
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_122 = ratio_q_P2_u_P1_of_place_34
+        .mul_add(q_p1_dot_cos_q_p1, -ratio_q_P2_u_P1_2_of_q_p1_dot_76)
+        + ratio_q_P2_u_P1_2_of_q_p1_dot_84 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_q_p1_dot_123 = ratio_q_P2_u_P1_of_place_108
+        .mul_add(ratio_q_P2_u_P1_2_of_q_p1_dot_116, ratio_q_P2_u_P1_2_of_q_p1_dot_122);
+    let ratio_q_P2_u_P1_2 = ratio_q_P2_u_P1_of_place_101
+        * ((-ratio_q_P2_u_P1_of_place_18)
+            .mul_add(
+                ratio_q_P2_u_P1_2_of_q_p1_dot_63,
+                ratio_q_P2_u_P1_of_place_25 * ratio_q_P2_u_P1_2_of_q_p1_dot_73,
+            ) + ratio_q_P2_u_P1_of_place_30 * ratio_q_P2_u_P1_2_of_q_p1_dot_74
+            - ratio_q_P2_u_P1_of_place_13 * ratio_q_P2_u_P1_2_of_q_p1_dot_78
+            + ratio_q_P2_u_P1_of_place_22 * ratio_q_P2_u_P1_2_of_q_p1_dot_81
+            - ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_2_of_q_p1_dot_83)
+        - ratio_q_P2_u_P1_of_place_105 * ratio_q_P2_u_P1_of_place_108
+            * ratio_q_P2_u_P1_2_of_q_p1_dot_40
+        - ratio_q_P2_u_P1_of_place_107 * ratio_q_P2_u_P1_2_of_q_p1_dot_103
+        + ratio_q_P2_u_P1_of_q_p4_q_p5_17 * ratio_q_P2_u_P1_2_of_q_p1_dot_119
+        + ratio_q_P2_u_P1_of_place_31 * ratio_q_P2_u_P1_2_of_q_p1_dot_121
+        + ratio_q_P2_u_P1_of_place_109 * ratio_q_P2_u_P1_2_of_q_p1_dot_123;
+    let ratio_q_P3_u_P1_2_of_q_p1_dot = (-ratio_q_P2_u_P1_of_place_39)
         .mul_add(
-            p_w_rod1_frame_in_rod2_frame_2_7_of_place, -p_w_rod2_frame_in_rod3_frame_2_6,
+            ratio_q_P2_u_P1_2_of_q_p1_dot_62,
+            S::int(2) * ratio_q_P2_u_P1_of_place_42 * ratio_q_P2_u_P1_2_of_q_p1_dot_55,
+        ) - ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_2_of_q_p1_dot_84
+        + ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_2_of_q_p1_dot_89;
+    let ratio_q_P3_u_P1_2_of_q_p1_dot_2 = (-ratio_q_P2_u_P1_of_place_39)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_q_p1_dot_49,
+            ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_q_p1_dot_84,
+        ) - ratio_q_P2_u_P1_of_place_42 * ratio_q_P2_u_P1_2_of_q_p1_dot_51
+        + ratio_q_P2_u_P1_of_place * ratio_q_P2_u_P1_2_of_q_p1_dot_90;
+    let ratio_q_P3_u_P1_2_of_q_p1_dot_3 = ratio_q_P2_u_P1_2_of_q_p1_dot_118
+        .mul_add(
+            cos_q_P4,
+            ratio_q_P2_u_P1_of_place_106 * ratio_q_P2_u_P1_2_of_q_p1_dot_21,
         );
-    let d1_of_place_9 = ratio_q_P2_u_P4 * p_w_rod2_frame_in_rod3_frame_2_4;
-    let d1_of_place_10 = ratio_q_P2_u_P4 * p_w_rod2_frame_in_rod3_frame_3_4;
-    let d1_of_place_11 = ratio_q_P2_u_P4 * p_v_rod2_centre_1_2;
-    let ratio_q_p2_u_p4_h_rod1_2 = ratio_q_P2_u_P4 * H_rod1_2;
-    let d1_of_place_12 = ratio_q_P3_u_P4 * p_w_rod3_frame_1_5;
-    let d1_of_place_13 = p_w_rod4_frame_2_6
-        + ratio_q_P1_u_P4
-            * (sin_q_P2
-                * ((-p_w_rod1_frame_in_rod2_frame_1_5)
-                    .mul_add(ratio_q_p3_u_p4_doubled, S::int(2) * d1_of_place_2)
-                    - p_w_rod1_frame_in_rod2_frame_1_7 * ratio_q_p5_u_p4_doubled + d1_of_place_3)
-                + cos_q_P2
-                    * ((-p_w_rod1_frame_in_rod2_frame_2_5)
-                        .mul_add(
-                            ratio_q_p3_u_p4_doubled,
-                            p_w_rod1_frame_in_rod2_frame_2_7 * ratio_q_p5_u_p4_doubled,
-                        ) + S::int(2) * d1_of_place_4 - d1_of_place_5)
-                + l_times_3
-                    * ((-d1_of_place_6).mul_add(S::int(4), d1_of_place_7)
-                        + p_v_rod3_centre_3_5 * ratio_q_p3_u_p4_times_4
-                        + p_v_rod3_centre_3_7 * ratio_q_p5_u_p4_times_4)
-                + ratio_q_p1_u_p4_h_rod1_2);
-    let d1_of_place_14 = ratio_q_P2_u_P4
-        * (sin_q_P3
-            * ((-d1_of_place_8)
+    let ratio_q_P3_u_P1_2_of_q_p1_dot_4 = ratio_q_P2_u_P1_of_place_100
+        * ratio_q_P2_u_P1_2_of_q_p1_dot_123;
+    let ratio_q_P3_u_P1_2 = ratio_q_P3_u_P1_of_place_5
+        * ((-ratio_q_P2_u_P1_of_q_p3_q_p5_3)
+            .mul_add(ratio_q_P2_u_P1_2_of_q_p1_dot_14, ratio_q_P2_u_P1_2_of_q_p1_dot)
+            + ratio_q_P2_u_P1_2_of_q_p1_dot_94 * cos_q_P5 - ratio_q_P2_u_P1_2_of_q_p1_dot_95)
+        + ratio_q_P3_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_q_p1_dot_98
+        + ratio_q_P3_u_P1_of_place_3 * ratio_q_P2_u_P1_2_of_q_p1_dot_121
+        + ratio_q_P2_u_P1_of_place_101
+            * ((-ratio_q_P2_u_P1_of_place_82)
                 .mul_add(
-                    S::int(2),
-                    p_w_rod2_frame_in_rod3_frame_2_5 * ratio_q_p3_u_p4_doubled,
-                ) + d1_of_place_9)
-            + cos_q_P3
-                * ((-p_w_rod2_frame_in_rod3_frame_3_6)
-                    .mul_add(
-                        S::int(2),
-                        p_w_rod2_frame_in_rod3_frame_3_7 * ratio_q_p5_u_p4_doubled,
-                    ) - p_w_rod2_frame_in_rod3_frame_3_5 * ratio_q_p3_u_p4_doubled + d1_of_place_10)
-            + l_times_3
-                * ((-p_v_rod4_centre_1_6)
-                    .mul_add(S::int(4), p_v_rod4_centre_1_7 * ratio_q_p5_u_p4_times_4)
-                    - p_v_rod4_centre_1_5 * ratio_q_p3_u_p4_times_4 + d1_of_place_11)
-            + ratio_q_p2_u_p4_h_rod1_2)
-        + ratio_q_P3_u_P4
-            * ((-p_w_rod3_frame_1_6).mul_add(S::int(2), d1_of_place_12)
-                - p_w_rod3_frame_1_7 * ratio_q_p5_u_p4_doubled);
-    let d1_of_place_15 = d1_of_place_13 + d1_of_place_14;
-    let d1_of_place_16 = ratio_q_P5_u_P4.mul_add(d1_of_place, d1_of_place_15);
-    let d1 = S::ratio(1, 12) * d1_of_place_16;
-    let g_times_6 = S::int(6) * g;
-    let mp_rod1_frame_1_times_54 = S::int(54) * mp_rod1_frame_1;
-    let u_P4_dot_of_place = S::int(6) * p_v_rod5_centre_1;
-    let u_P4_dot_of_place_2 = S::int(12) * p_v_rod4_frame_in_rod5_frame_2;
-    let u_P4_dot_of_place_3 = S::int(6) * x_rod2_frame_in_rod3_frame_2;
-    let u_P4_dot_of_place_4 = S::int(6) * x_rod3_frame_in_rod4_frame_1;
-    let u_P4_dot_of_place_5 = S::int(6) * x_rod4_frame_in_rod5_frame_1;
-    let u_P4_dot_of_place_6 = S::int(6) * x_rod4_frame_in_rod5_frame_2;
-    let v_rod3_centre_3_times_6 = S::int(6) * v_rod3_centre_3;
-    let u_P4_dot_of_place_7 = S::int(6) * x_rod1_frame_in_rod2_frame_2;
-    let x_rod5_frame_2_times_6 = S::int(6) * x_rod5_frame_2;
-    let u_P4_dot_of_place_8 = S::int(6) * v_rod2_frame_in_rod3_frame_3;
+                    ratio_q_P2_u_P1_2_of_q_p1_dot_63,
+                    ratio_q_P3_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_q_p1_dot_83,
+                ) - ratio_q_P3_u_P1_of_place * ratio_q_P2_u_P1_2_of_q_p1_dot_81
+                - ratio_q_P2_u_P1_of_place_13 * ratio_q_P2_u_P1_2_of_q_p1_dot_115
+                - ratio_q_P2_u_P1_of_place_25 * ratio_q_P3_u_P1_2_of_q_p1_dot
+                + ratio_q_P2_u_P1_of_place_30 * ratio_q_P3_u_P1_2_of_q_p1_dot_2)
+        - ratio_q_P3_u_P1_of_q_p3_q_p5 * ratio_q_P3_u_P1_2_of_q_p1_dot_3
+        + ratio_q_P2_u_P1_of_place_51 * ratio_q_P3_u_P1_2_of_q_p1_dot_4;
+    let ratio_q_P4_u_P1_2_of_q_p1_dot = ratio_q_P2_u_P1_of_place_39
+        * ratio_q_P2_u_P1_2_of_q_p1_dot_68
+        - ratio_q_P2_u_P1_2_of_place * ratio_q_P2_u_P1_2_of_q_p1_dot_84
+        + ratio_q_P2_u_P1_of_place_8
+            * (-ratio_q_P2_u_P1_of_place_16)
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_q_p1_dot_87,
+                    cos_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_q_p1_dot_69,
+                ) + ratio_q_P4_u_P1_of_place * ratio_q_P2_u_P1_2_of_q_p1_dot_88;
+    let ratio_q_P4_u_P1_2_of_q_p1_dot_2 = ratio_q_P2_u_P1_2_of_q_p1_dot_28
+        - ratio_q_P2_u_P1_2_of_q_p1_dot_15;
+    let ratio_q_P4_u_P1_2 = ratio_q_P4_u_P1_of_place_3 * ratio_q_P2_u_P1_2_of_q_p1_dot_121
+        - ratio_q_P3_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_q_p1_dot_113
+        - ratio_q_P4_u_P1_of_place_5 * ratio_q_P2_u_P1_2_of_q_p1_dot_119
+        + ratio_q_P2_u_P1_of_place_73 * ratio_q_P3_u_P1_2_of_q_p1_dot_4
+        + ratio_q_P2_u_P1_of_place_101
+            * ((-ratio_q_P2_u_P1_of_place_82)
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_q_p1_dot_73,
+                    ratio_q_P2_u_P1_of_place_30 * ratio_q_P4_u_P1_2_of_q_p1_dot,
+                ) - ratio_q_P3_u_P1_of_place * ratio_q_P2_u_P1_2_of_q_p1_dot_78
+                - ratio_q_P4_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_q_p1_dot_83
+                - ratio_q_P2_u_P1_of_place_22 * ratio_q_P2_u_P1_2_of_q_p1_dot_115
+                - ratio_q_P2_u_P1_of_place_18 * ratio_q_P3_u_P1_2_of_q_p1_dot)
+        + ratio_q_P2_u_P1_of_place_107
+            * (-ratio_q_P2_u_P1_2_of_q_p1_dot
+                + ratio_q_P4_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_q_p1_dot_3
+                - sin_q_P4
+                    * ((-ratio_q_P4_u_P1_of_q_p4_q_p5)
+                        .mul_add(
+                            ratio_q_P2_u_P1_2_of_q_p1_dot_15,
+                            ratio_q_P2_u_P1_2_of_q_p1_dot_103 * sin_q_P3,
+                        ) - ratio_q_P2_u_P1_2_of_q_p1_dot_25 - ratio_q_P2_u_P1_2_of_q_p1_dot_28)
+                + ratio_q_P4_u_P1_2_of_q_p1_dot_2);
+    let ratio_q_P5_u_P1_2 = ratio_q_P3_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_q_p1_dot_114
+        + ratio_q_P5_u_P1_of_place * ratio_q_P2_u_P1_2_of_q_p1_dot_121
+        - ratio_q_P5_u_P1_of_place_2 * ratio_q_P3_u_P1_2_of_q_p1_dot_3
+        + ratio_q_P2_u_P1_of_place_80 * ratio_q_P3_u_P1_2_of_q_p1_dot_4
+        + ratio_q_P2_u_P1_of_place_101
+            * ((-ratio_q_P2_u_P1_of_place_82)
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_q_p1_dot_74,
+                    ratio_q_P2_u_P1_of_place_18 * ratio_q_P3_u_P1_2_of_q_p1_dot_2,
+                ) - ratio_q_P3_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_q_p1_dot_78
+                - ratio_q_P4_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_q_p1_dot_81
+                - ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_2_of_q_p1_dot_115
+                - ratio_q_P2_u_P1_of_place_25 * ratio_q_P4_u_P1_2_of_q_p1_dot)
+        + ratio_q_P3_u_P1_of_place_5
+            * (ratio_q_P5_u_P1_of_q_p3_q_p5 * ratio_q_P2_u_P1_2_of_q_p1_dot_3
+                - ratio_q_P5_u_P1_of_q_p3_q_p5_2 * ratio_q_P2_u_P1_2_of_q_p1_dot
+                + sin_q_P4
+                    * ((-(ratio_q_P2_u_P1_2_of_q_p1_dot_2 * sin_q_P3))
+                        .mul_add(
+                            S::int(2),
+                            ratio_q_P2_u_P1_of_q_p5_4 * ratio_q_P2_u_P1_2_of_q_p1_dot_15,
+                        ) + ratio_q_P2_u_P1_2_of_q_p1_dot_36)
+                + ratio_q_P2_u_P1_of_q_p5 * ratio_q_P4_u_P1_2_of_q_p1_dot_2);
+    let cos_q_p2_doubled = S::int(2) * cos_q_P2;
+    let l_times_12 = S::int(12) * l;
+    let d1_of_place = ratio_q_P5_u_P1 * p_w_rod5_frame_3_6;
+    let d1_of_place_2 = p_w_rod1_frame_in_rod2_frame_2_3.mul_add(cos_q_P2, -H_rod1_2);
+    let d1_of_place_3 = ratio_q_P4_u_P1
+        .mul_add(
+            p_w_rod2_frame_in_rod3_frame_2_6,
+            ratio_q_P3_u_P1 * p_w_rod2_frame_in_rod3_frame_2_5,
+        );
+    let d1_of_place_4 = ratio_q_P5_u_P1
+        .mul_add(p_w_rod1_frame_in_rod2_frame_2_7_of_place, d1_of_place_3);
+    let d1_of_place_5 = ratio_q_P2_u_P1 * p_w_rod2_frame_in_rod3_frame_2_4;
+    let d1_of_place_6 = ratio_q_P4_u_P1
+        .mul_add(
+            p_w_rod2_frame_in_rod3_frame_3_6,
+            ratio_q_P3_u_P1 * p_w_rod2_frame_in_rod3_frame_3_5,
+        );
+    let d1_of_place_7 = ratio_q_P5_u_P1
+        .mul_add(p_w_rod2_frame_in_rod3_frame_3_7, d1_of_place_6);
+    let d1_of_place_8 = ratio_q_P2_u_P1 * p_w_rod2_frame_in_rod3_frame_3_4;
+    let d1_of_place_9 = ratio_q_P4_u_P1
+        .mul_add(p_v_rod4_centre_1_6, ratio_q_P3_u_P1 * p_v_rod4_centre_1_5);
+    let d1_of_place_10 = ratio_q_P5_u_P1
+        .mul_add(p_v_rod4_centre_1_7, p_v_rod3_centre_3_4);
+    let d1_of_place_11 = d1_of_place_9 + d1_of_place_10;
+    let d1_of_place_12 = ratio_q_P2_u_P1 * p_v_rod2_centre_1_2;
+    let ratio_q_p2_u_p1_h_rod1_2 = ratio_q_P2_u_P1 * H_rod1_2;
+    let d1_of_place_13 = ratio_q_P4_u_P1
+        .mul_add(p_w_rod3_frame_1_6, p_w_rod1_frame_in_rod2_frame_2_5 * cos_q_P2);
+    let d1_of_place_14 = ratio_q_P5_u_P1.mul_add(p_w_rod3_frame_1_7, -d1_of_place_13);
+    let d1_of_place_15 = ratio_q_P3_u_P1 * p_w_rod3_frame_1_5;
+    let d1_of_place_16 = ratio_q_P4_u_P1 * p_w_rod4_frame_2_6;
+    let d1_of_place_17 = ratio_q_P2_u_P1
+        * (sin_q_P3 * (-d1_of_place_4).mul_add(S::int(2), d1_of_place_5)
+            - p_w_rod1_frame_in_rod2_frame_1_4 * sin_q_p2_doubled
+            - p_w_rod1_frame_in_rod2_frame_2_4 * cos_q_p2_doubled
+            + cos_q_P3 * d1_of_place_7.mul_add(S::int(2), d1_of_place_8)
+            + l_times_3 * d1_of_place_11.mul_add(S::int(4), d1_of_place_12)
+            + ratio_q_p2_u_p1_h_rod1_2) + p_w_rod1_frame_in_rod2_frame_1_3 * sin_q_P2;
+    let d1_of_place_18 = ratio_q_P3_u_P1
+        * ((-p_w_rod1_frame_in_rod2_frame_1_5)
+            .mul_add(sin_q_p2_doubled, p_v_rod3_centre_3_5 * l_times_12)
+            + S::int(2) * d1_of_place_14 + d1_of_place_15)
+        + ratio_q_P4_u_P1
+            * ((-p_w_rod1_frame_in_rod2_frame_1_6)
+                .mul_add(sin_q_p2_doubled, p_v_rod3_centre_3_6 * l_times_12)
+                - p_w_rod1_frame_in_rod2_frame_2_6 * cos_q_p2_doubled + d1_of_place_16);
+    let d1_of_place_19 = ratio_q_P5_u_P1
+        * ((-p_w_rod1_frame_in_rod2_frame_1_7)
+            .mul_add(
+                sin_q_p2_doubled,
+                p_w_rod1_frame_in_rod2_frame_2_7 * cos_q_p2_doubled,
+            ) + p_v_rod3_centre_3_7 * l_times_12 - d1_of_place) + d1_of_place_2;
+    let d1_of_place_20 = d1_of_place_17 + d1_of_place_18;
+    let d1_of_place_21 = d1_of_place_19 - d1_of_place_20;
+    let d1 = S::ratio(1, 4) * l * p_v_rod1_centre_3_2 - S::ratio(1, 12) * d1_of_place_21;
+    let u_P1_dot_of_place = p_w_rod1_frame_in_rod2_frame_1
+        .mul_add(cos_q_P2, p_w_rod1_frame_in_rod2_frame_2 * sin_q_P2);
+    let u_P1_dot_of_place_2 = S::int(6) * v_rod2_frame_in_rod3_frame_3;
     let v_rod4_centre_1_times_6 = S::int(6) * v_rod4_centre_1;
-    let u_P4_dot_of_place_9 = S::int(6) * x_rod1_frame_in_rod2_frame_1;
-    let u_P4_dot_of_place_10 = S::int(6) * x_rod2_frame_in_rod3_frame_3;
+    let u_P1_dot_of_place_3 = S::int(6) * x_rod1_frame_in_rod2_frame_1;
+    let u_P1_dot_of_place_4 = S::int(6) * x_rod2_frame_in_rod3_frame_3;
     let x_rod5_frame_3_times_6 = S::int(6) * x_rod5_frame_3;
-    let u_P4_dot_of_place_11 = S::int(54) * x_rod1_frame_in_rod2_frame_1_2;
-    let u_P4_dot_of_place_12 = ratio_q_P1_u_P4
-        .mul_add(p_v_rod3_centre_3_4, p_v_rod4_centre_1_6);
-    let u_P4_dot = S::ratio(1, 12)
-        * (ratio_q_P3_u_P4
-            * (p_w_rod3_frame_1_2
-                + sin_q_P3
-                    * (w_rod1_frame_in_rod2_frame_2
+    let u_P1_dot_of_place_5 = S::int(54) * x_rod1_frame_in_rod2_frame_1_2;
+    let u_P1_dot_of_place_6 = S::int(6) * p_v_rod5_centre_1;
+    let u_P1_dot_of_place_7 = S::int(12) * p_v_rod4_frame_in_rod5_frame_2;
+    let u_P1_dot_of_place_8 = S::int(6) * x_rod2_frame_in_rod3_frame_2;
+    let u_P1_dot_of_place_9 = S::int(6) * x_rod3_frame_in_rod4_frame_1;
+    let u_P1_dot_of_place_10 = S::int(6) * x_rod4_frame_in_rod5_frame_1;
+    let u_P1_dot_of_place_11 = S::int(6) * x_rod4_frame_in_rod5_frame_2;
+    let v_rod3_centre_3_times_6 = S::int(6) * v_rod3_centre_3;
+    let u_P1_dot_of_place_12 = S::int(6) * x_rod1_frame_in_rod2_frame_2;
+    let x_rod5_frame_2_times_6 = S::int(6) * x_rod5_frame_2;
+    let u_P1_dot = S::ratio(1, 12)
+        * (p_w_rod1_frame_in_rod2_frame_2_2 * cos_q_P2
+            - p_w_rod1_frame_in_rod2_frame_1_2 * sin_q_P2 - p_v_rod1_centre_3 * l_times_6
+            + ratio_q_P2_u_P1
+                * (q_P3_dot * p_w_rod1_frame_in_rod2_frame_2
+                    + p_w_rod2_frame_in_rod3_frame_3_2 * cos_q_P3
+                    - p_w_rod2_frame_in_rod3_frame_2_2 * sin_q_P3
+                    + S::int(54) * mp_rod1_frame_1
+                        * (-F_x_rod1_frame_in_rod2_frame_1)
+                            .mul_add(sin_q_P2, F_x_rod5_frame_2 * cos_q_P2)
+                    - S::int(6) * g
+                        * F_x_rod1_frame_in_rod2_frame_1_2
+                            .mul_add(cos_q_P2, F_x_rod1_frame_in_rod2_frame_2 * sin_q_P2)
+                    + p_v_rod2_centre_1 * l_times_6) - q_P2_dot * u_P1_dot_of_place
+            + q_P1_dot
+                * (ratio_q_P5_u_P1_2
+                    * ((-ratio_q_P3_u_P1)
                         .mul_add(
-                            p_w_rod2_frame_in_rod3_frame_2,
-                            q_P2_dot * p_w_rod2_frame_in_rod3_frame_3,
-                        ) + p_v_rod2_frame_in_rod3_frame_3 * v_rod3_centre_3_times_6
-                        + F_x_rod2_frame_in_rod3_frame_2_2 * u_P4_dot_of_place_7
-                        + F_x_rod2_frame_in_rod3_frame_2 * x_rod5_frame_2_times_6)
-                + cos_q_P3
-                    * ((-q_P2_dot)
-                        .mul_add(
-                            p_w_rod2_frame_in_rod3_frame_2,
-                            w_rod1_frame_in_rod2_frame_2 * p_w_rod2_frame_in_rod3_frame_3,
-                        ) - p_v_rod2_frame_in_rod3_frame_2 * v_rod3_centre_3_times_6
-                        - F_x_rod2_frame_in_rod3_frame_3 * u_P4_dot_of_place_7
-                        + F_x_rod5_frame_3 * x_rod5_frame_2_times_6)) - p_w_rod4_frame_2_2
-            - ratio_q_P1_u_P4
-                * (-q_P2_dot
-                    * p_w_rod1_frame_in_rod2_frame_1
-                        .mul_add(cos_q_P2, p_w_rod1_frame_in_rod2_frame_2 * sin_q_P2)
-                    + p_w_rod1_frame_in_rod2_frame_2_2 * cos_q_P2
-                    - p_w_rod1_frame_in_rod2_frame_1_2 * sin_q_P2 - p_v_rod1_centre_3 * l_times_6)
-            - ratio_q_P2_u_P4
-                * (p_w_rod2_frame_in_rod3_frame_2_2 * sin_q_P3
-                    - q_P3_dot * p_w_rod1_frame_in_rod2_frame_2
-                    - p_w_rod2_frame_in_rod3_frame_3_2 * cos_q_P3 - p_v_rod2_centre_1 * l_times_6
-                    - sin_q_P2
-                        * ((-F_x_rod1_frame_in_rod2_frame_2)
+                            p_w_rod3_frame_1_7,
+                            p_w_rod1_frame_in_rod2_frame_2_7 * cos_q_P2,
+                        ) - p_w_rod1_frame_in_rod2_frame_1_7 * sin_q_P2
+                        + p_w_rod1_frame_in_rod2_frame_1_7_of_place - d1_of_place)
+                    + ratio_q_P2_u_P1_2
+                        * (p_w_rod1_frame_in_rod2_frame_2_4 * cos_q_P2
+                            + p_w_rod1_frame_in_rod2_frame_1_4 * sin_q_P2
+                            + sin_q_P3 * (d1_of_place_4 - d1_of_place_5)
+                            - cos_q_P3 * (d1_of_place_7 + d1_of_place_8)
+                            - l_times_3 * d1_of_place_11.mul_add(S::int(2), d1_of_place_12)
+                            - ratio_q_p2_u_p1_h_rod1_2)
+                    + ratio_q_P3_u_P1_2
+                        * (p_w_rod1_frame_in_rod2_frame_1_5
                             .mul_add(
-                                g_times_6,
-                                q_P1_dot * p_w_rod1_frame_in_rod2_frame_2,
-                            ) - F_x_rod1_frame_in_rod2_frame_1 * mp_rod1_frame_1_times_54)
-                    - cos_q_P2
-                        * ((-F_x_rod1_frame_in_rod2_frame_1_2)
+                                sin_q_P2, -p_w_rod1_frame_in_rod2_frame_1_5_of_place,
+                            ) - d1_of_place_14 - d1_of_place_15)
+                    + ratio_q_P4_u_P1_2
+                        * (p_w_rod1_frame_in_rod2_frame_2_6
+                            .mul_add(cos_q_P2, ratio_q_P3_u_P1 * p_w_rod3_frame_1_6)
+                            + p_w_rod1_frame_in_rod2_frame_1_6 * sin_q_P2
+                            - p_w_rod1_frame_in_rod2_frame_1_6_of_place - d1_of_place_16)
+                    + ratio_q_P2_u_P1
+                        * (sin_q_P3
+                            * (p_w_rod2_frame_in_rod3_frame_2_6
+                                .mul_add(
+                                    ratio_q_P4_u_P1_2,
+                                    p_w_rod2_frame_in_rod3_frame_2_5 * ratio_q_P3_u_P1_2,
+                                )
+                                + ratio_q_P5_u_P1_2 * p_w_rod1_frame_in_rod2_frame_2_7_of_place)
+                            - cos_q_P3
+                                * (p_w_rod2_frame_in_rod3_frame_3_6
+                                    .mul_add(
+                                        ratio_q_P4_u_P1_2,
+                                        p_w_rod2_frame_in_rod3_frame_3_5 * ratio_q_P3_u_P1_2,
+                                    ) + p_w_rod2_frame_in_rod3_frame_3_7 * ratio_q_P5_u_P1_2)
+                            - l_times_6
+                                * (p_v_rod4_centre_1_6
+                                    .mul_add(
+                                        ratio_q_P4_u_P1_2,
+                                        p_v_rod4_centre_1_5 * ratio_q_P3_u_P1_2,
+                                    ) + p_v_rod4_centre_1_7 * ratio_q_P5_u_P1_2)
+                            + u_P1_dot_of_place))
+            + ratio_q_P4_u_P1
+                * (p_w_rod4_frame_2_2
+                    + sin_q_P4
+                        * ((-w_rod3_frame_1)
                             .mul_add(
-                                g_times_6,
-                                q_P1_dot * p_w_rod1_frame_in_rod2_frame_1,
-                            ) + F_x_rod5_frame_2 * mp_rod1_frame_1_times_54))
-            - ratio_q_P5_u_P4
+                                p_w_rod3_frame_in_rod4_frame_1,
+                                w_rod2_frame_in_rod3_frame_3 * p_w_rod3_frame_in_rod4_frame_3,
+                            ) + p_v_rod3_frame_in_rod4_frame_3 * u_P1_dot_of_place_2
+                            - p_v_rod3_frame_in_rod4_frame_1 * v_rod4_centre_1_times_6
+                            - F_x_rod3_frame_in_rod4_frame_1 * u_P1_dot_of_place_3
+                            + x_rod3_frame_in_rod4_frame_3_2 * u_P1_dot_of_place_4
+                            + x_rod3_frame_in_rod4_frame_3 * x_rod5_frame_3_times_6
+                            - F_x_rod5_frame_1 * u_P1_dot_of_place_5)
+                    + cos_q_P4
+                        * ((-w_rod3_frame_1)
+                            .mul_add(
+                                p_w_rod3_frame_in_rod4_frame_3,
+                                x_rod3_frame_in_rod4_frame_3_2 * u_P1_dot_of_place_3,
+                            )
+                            - w_rod2_frame_in_rod3_frame_3 * p_w_rod3_frame_in_rod4_frame_1
+                            - p_v_rod3_frame_in_rod4_frame_1 * u_P1_dot_of_place_2
+                            - p_v_rod3_frame_in_rod4_frame_3 * v_rod4_centre_1_times_6
+                            + F_x_rod3_frame_in_rod4_frame_1 * u_P1_dot_of_place_4
+                            - F_x_rod5_frame_1 * x_rod5_frame_3_times_6
+                            - x_rod3_frame_in_rod4_frame_3 * u_P1_dot_of_place_5))
+            - ratio_q_P5_u_P1
                 * (p_w_rod5_frame_3_2
                     + sin_q_P5
                         * ((-w_rod3_frame_in_rod4_frame_1)
                             .mul_add(
                                 p_w_rod4_frame_in_rod5_frame_1,
-                                v_rod3_frame_in_rod4_frame_1 * u_P4_dot_of_place,
-                            ) + v_rod5_centre_2 * u_P4_dot_of_place_2
-                            - x_rod5_frame_2_2 * u_P4_dot_of_place_3
-                            - x_rod4_frame_in_rod5_frame_1_2 * u_P4_dot_of_place_4
-                            - x_rod5_frame_1 * u_P4_dot_of_place_5
-                            - x_rod2_frame_in_rod3_frame_2_2 * u_P4_dot_of_place_6)
+                                v_rod3_frame_in_rod4_frame_1 * u_P1_dot_of_place_6,
+                            ) + v_rod5_centre_2 * u_P1_dot_of_place_7
+                            - x_rod5_frame_2_2 * u_P1_dot_of_place_8
+                            - x_rod4_frame_in_rod5_frame_1_2 * u_P1_dot_of_place_9
+                            - x_rod5_frame_1 * u_P1_dot_of_place_10
+                            - x_rod2_frame_in_rod3_frame_2_2 * u_P1_dot_of_place_11)
                     + cos_q_P5
                         * ((-w_rod4_frame_2)
                             .mul_add(
                                 p_w_rod4_frame_in_rod5_frame_1,
-                                v_rod3_frame_in_rod4_frame_1 * u_P4_dot_of_place_2,
-                            ) - v_rod5_centre_2 * u_P4_dot_of_place
-                            + x_rod4_frame_in_rod5_frame_1_2 * u_P4_dot_of_place_3
-                            - x_rod5_frame_2_2 * u_P4_dot_of_place_4
-                            - x_rod2_frame_in_rod3_frame_2_2 * u_P4_dot_of_place_5
-                            + x_rod5_frame_1 * u_P4_dot_of_place_6))
-            - sin_q_P4
-                * ((-w_rod3_frame_1)
-                    .mul_add(
-                        p_w_rod3_frame_in_rod4_frame_1,
-                        w_rod2_frame_in_rod3_frame_3 * p_w_rod3_frame_in_rod4_frame_3,
-                    ) + p_v_rod3_frame_in_rod4_frame_3 * u_P4_dot_of_place_8
-                    - p_v_rod3_frame_in_rod4_frame_1 * v_rod4_centre_1_times_6
-                    - F_x_rod3_frame_in_rod4_frame_1 * u_P4_dot_of_place_9
-                    + x_rod3_frame_in_rod4_frame_3_2 * u_P4_dot_of_place_10
-                    + x_rod3_frame_in_rod4_frame_3 * x_rod5_frame_3_times_6
-                    - F_x_rod5_frame_1 * u_P4_dot_of_place_11)
-            - cos_q_P4
-                * ((-w_rod3_frame_1)
-                    .mul_add(
-                        p_w_rod3_frame_in_rod4_frame_3,
-                        x_rod3_frame_in_rod4_frame_3_2 * u_P4_dot_of_place_9,
-                    ) - w_rod2_frame_in_rod3_frame_3 * p_w_rod3_frame_in_rod4_frame_1
-                    - p_v_rod3_frame_in_rod4_frame_1 * u_P4_dot_of_place_8
-                    - p_v_rod3_frame_in_rod4_frame_3 * v_rod4_centre_1_times_6
-                    + F_x_rod3_frame_in_rod4_frame_1 * u_P4_dot_of_place_10
-                    - F_x_rod5_frame_1 * x_rod5_frame_3_times_6
-                    - x_rod3_frame_in_rod4_frame_3 * u_P4_dot_of_place_11)
-            - q_P4_dot
-                * (ratio_q_P5_u_P4_2
-                    * (d1_of_place - ratio_q_P3_u_P4 * p_w_rod3_frame_1_7
-                        - ratio_q_P2_u_P4
-                            * ((-p_w_rod2_frame_in_rod3_frame_3_7)
-                                .mul_add(
-                                    cos_q_P3,
-                                    p_w_rod1_frame_in_rod2_frame_2_7_of_place * sin_q_P3,
-                                ) - p_v_rod4_centre_1_7 * l_times_6)
-                        - ratio_q_P1_u_P4
-                            * ((-p_w_rod1_frame_in_rod2_frame_2_7)
-                                .mul_add(
-                                    cos_q_P2,
-                                    p_w_rod1_frame_in_rod2_frame_1_7 * sin_q_P2,
-                                ) - p_w_rod1_frame_in_rod2_frame_1_7_of_place))
-                    + ratio_q_P1_u_P4_2
-                        * (sin_q_P2
-                            * ((-ratio_q_P3_u_P4)
-                                .mul_add(p_w_rod1_frame_in_rod2_frame_1_5, d1_of_place_2)
-                                - ratio_q_P5_u_P4 * p_w_rod1_frame_in_rod2_frame_1_7
-                                + d1_of_place_3)
-                            + cos_q_P2
-                                * ((-ratio_q_P3_u_P4)
-                                    .mul_add(
-                                        p_w_rod1_frame_in_rod2_frame_2_5,
-                                        ratio_q_P5_u_P4 * p_w_rod1_frame_in_rod2_frame_2_7,
-                                    ) + d1_of_place_4 - d1_of_place_5)
-                            + l_times_3
-                                * ((-d1_of_place_6)
-                                    .mul_add(
-                                        S::int(2),
-                                        p_v_rod3_centre_3_5 * ratio_q_p3_u_p4_doubled,
-                                    ) + p_v_rod3_centre_3_7 * ratio_q_p5_u_p4_doubled
-                                    + d1_of_place_7) + ratio_q_p1_u_p4_h_rod1_2)
-                    + ratio_q_P3_u_P4_2
-                        * (d1_of_place_12 - p_w_rod3_frame_1_6
-                            - ratio_q_P5_u_P4 * p_w_rod3_frame_1_7
-                            - ratio_q_P2_u_P4
-                                * ((-p_w_rod2_frame_in_rod3_frame_2_5)
-                                    .mul_add(
-                                        sin_q_P3,
-                                        p_w_rod2_frame_in_rod3_frame_3_5 * cos_q_P3,
-                                    ) + p_w_rod2_frame_in_rod3_frame_2_5_of_place)
-                            - ratio_q_P1_u_P4
-                                * (p_w_rod1_frame_in_rod2_frame_1_5
-                                    .mul_add(
-                                        sin_q_P2,
-                                        p_w_rod1_frame_in_rod2_frame_2_5 * cos_q_P2,
-                                    ) - p_w_rod1_frame_in_rod2_frame_1_5_of_place))
-                    + ratio_q_P2_u_P4_2
-                        * (ratio_q_P1_u_P4
-                            * p_w_rod1_frame_in_rod2_frame_1_4
-                                .mul_add(
-                                    sin_q_P2,
-                                    p_w_rod1_frame_in_rod2_frame_2_4 * cos_q_P2,
-                                )
-                            + sin_q_P3
-                                * (ratio_q_P3_u_P4
-                                    .mul_add(p_w_rod2_frame_in_rod3_frame_2_5, -d1_of_place_8)
-                                    + d1_of_place_9)
-                            + cos_q_P3
-                                * ((-ratio_q_P3_u_P4)
-                                    .mul_add(
-                                        p_w_rod2_frame_in_rod3_frame_3_5,
-                                        ratio_q_P5_u_P4 * p_w_rod2_frame_in_rod3_frame_3_7,
-                                    ) - p_w_rod2_frame_in_rod3_frame_3_6 + d1_of_place_10)
-                            + ratio_q_p2_u_p4_h_rod1_2
-                            + l_times_3
-                                * ((-p_v_rod4_centre_1_5)
-                                    .mul_add(
-                                        ratio_q_p3_u_p4_doubled,
-                                        p_v_rod4_centre_1_7 * ratio_q_p5_u_p4_doubled,
-                                    ) + d1_of_place_11 - S::int(2) * u_P4_dot_of_place_12)))) / d1;
-    let q_P1_ddot = (-q_P4_dot).mul_add(ratio_q_P1_u_P4_2, -u_P4_dot * ratio_q_P1_u_P4);
-    let q_P2_ddot = q_P4_dot.mul_add(ratio_q_P2_u_P4_2, u_P4_dot * ratio_q_P2_u_P4);
-    let q_P3_ddot = (-q_P4_dot).mul_add(ratio_q_P3_u_P4_2, -u_P4_dot * ratio_q_P3_u_P4);
-    let q_P4_ddot = u_P4_dot;
-    let q_P5_ddot = (-q_P4_dot).mul_add(ratio_q_P5_u_P4_2, -u_P4_dot * ratio_q_P5_u_P4);
+                                v_rod3_frame_in_rod4_frame_1 * u_P1_dot_of_place_7,
+                            ) - v_rod5_centre_2 * u_P1_dot_of_place_6
+                            + x_rod4_frame_in_rod5_frame_1_2 * u_P1_dot_of_place_8
+                            - x_rod5_frame_2_2 * u_P1_dot_of_place_9
+                            - x_rod2_frame_in_rod3_frame_2_2 * u_P1_dot_of_place_10
+                            + x_rod5_frame_1 * u_P1_dot_of_place_11))
+            - ratio_q_P3_u_P1
+                * (p_w_rod3_frame_1_2
+                    + sin_q_P3
+                        * (w_rod1_frame_in_rod2_frame_2
+                            .mul_add(
+                                p_w_rod2_frame_in_rod3_frame_2,
+                                q_P2_dot * p_w_rod2_frame_in_rod3_frame_3,
+                            ) + p_v_rod2_frame_in_rod3_frame_3 * v_rod3_centre_3_times_6
+                            + F_x_rod2_frame_in_rod3_frame_2_2 * u_P1_dot_of_place_12
+                            + F_x_rod2_frame_in_rod3_frame_2 * x_rod5_frame_2_times_6)
+                    + cos_q_P3
+                        * ((-q_P2_dot)
+                            .mul_add(
+                                p_w_rod2_frame_in_rod3_frame_2,
+                                w_rod1_frame_in_rod2_frame_2 * p_w_rod2_frame_in_rod3_frame_3,
+                            ) - p_v_rod2_frame_in_rod3_frame_2 * v_rod3_centre_3_times_6
+                            - F_x_rod2_frame_in_rod3_frame_3 * u_P1_dot_of_place_12
+                            + F_x_rod5_frame_3 * x_rod5_frame_2_times_6))) / d1;
+    let q_P1_ddot = u_P1_dot;
+    let q_P2_ddot = q_P1_dot.mul_add(ratio_q_P2_u_P1_2, u_P1_dot * ratio_q_P2_u_P1);
+    let q_P3_ddot = q_P1_dot.mul_add(ratio_q_P3_u_P1_2, u_P1_dot * ratio_q_P3_u_P1);
+    let q_P4_ddot = (-q_P1_dot).mul_add(ratio_q_P4_u_P1_2, -u_P1_dot * ratio_q_P4_u_P1);
+    let q_P5_ddot = (-q_P1_dot).mul_add(ratio_q_P5_u_P1_2, -u_P1_dot * ratio_q_P5_u_P1);
     [q_P1_ddot, q_P2_ddot, q_P3_ddot, q_P4_ddot, q_P5_ddot]
 }
 
@@ -2985,11 +2964,11 @@ pub fn generalized_speeds<S: Scalar>(
     _q: &[S; 5],
     q_dot: &[S; 5],
 ) -> [S; 1] {
-    let [_, _, _, q_P4_dot, _] = *q_dot;
+    let [q_P1_dot, _, _, _, _] = *q_dot;
     // Values.
-    // u_P4 = q_P4'
-    let u_P4_value = q_P4_dot;
-    [u_P4_value]
+    // u_P1 = q_P1'
+    let u_P1_value = q_P1_dot;
+    [u_P1_value]
 }
 
 /// Their time derivatives u', from q, q' and q''.
@@ -3002,320 +2981,464 @@ pub fn generalized_speed_rates<S: Scalar>(
     _q_dot: &[S; 5],
     v_dot: &[S; 5],
 ) -> [S; 1] {
-    let [_, _, _, q_P4_ddot, _] = *v_dot;
+    let [q_P1_ddot, _, _, _, _] = *v_dot;
     // Values.
-    // u_P4' = q_P4''
-    let u_P4_dot_value = q_P4_ddot;
-    [u_P4_dot_value]
+    // u_P1' = q_P1''
+    let u_P1_dot_value = q_P1_ddot;
+    [u_P1_dot_value]
 }
 
 /// q' from q and the generalized speeds u.
 ///
-/// 388 operations, 5 sines and cosines.
+/// 392 operations, 5 sines and cosines.
 #[must_use]
 pub fn motion_variables<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 5] {
     let Parameters { l, .. } = *p;
     let [q_P1, q_P2, q_P3, q_P4, q_P5] = *q;
-    let [u_P4] = *u;
+    let [u_P1] = *u;
     // Sines and cosines.
-    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
     let (sin_q_P5, cos_q_P5) = q_P5.sin_cos();
     let (sin_q_P4, cos_q_P4) = q_P4.sin_cos();
+    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
     let (sin_q_P2, cos_q_P2) = q_P2.sin_cos();
     let (sin_q_P1, cos_q_P1) = q_P1.sin_cos();
     // Elimination, step by step, each after the terms that it shares.
-    let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
-    // 1 - cos_q_p3_cos_q_p5
-    let ratio_q_P1_u_P4_of_q_p3_q_p5 = S::int(1) - cos_q_p3_cos_q_p5;
     // 1 - sin(q_P5)
-    let ratio_q_P1_u_P4_of_q_p5 = S::int(1) - sin_q_P5;
-    // -ratio_q_P1_u_P4_of_q_p5
-    let ratio_q_P1_u_P4_of_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P4;
-    // ratio_q_P1_u_P4_of_q_p4_q_p5 - 1
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_2 = ratio_q_P1_u_P4_of_q_p4_q_p5 - S::int(1);
-    let ratio_q_P1_u_P4_of_place = ratio_q_P1_u_P4_of_q_p4_q_p5_2 * sin_q_P3;
-    // ratio_q_P1_u_P4_of_q_p3_q_p5 + ratio_q_P1_u_P4_of_place
-    let ratio_q_P1_u_P4_of_place_2 = ratio_q_P1_u_P4_of_q_p3_q_p5 + ratio_q_P1_u_P4_of_place;
-    // -ratio_q_P1_u_P4_of_place_2
-    let ratio_q_P1_u_P4_of_place_3 = -ratio_q_P1_u_P4_of_place_2;
+    let ratio_q_P2_u_P1_of_q_p5 = S::int(1) - sin_q_P5;
+    let cos_q_p5_sq = cos_q_P5 * cos_q_P5;
+    // 2*ratio_q_P2_u_P1_of_q_p5 - cos_q_p5_sq
+    let ratio_q_P2_u_P1_of_q_p5_2 = ratio_q_P2_u_P1_of_q_p5
+        .mul_add(S::int(2), -cos_q_p5_sq);
+    // -ratio_q_P2_u_P1_of_q_p5_2
+    let ratio_q_P2_u_P1_of_q_p5_3 = -ratio_q_P2_u_P1_of_q_p5_2;
+    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5 = ratio_q_P2_u_P1_of_q_p5_3 * cos_q_p4_sq;
+    // ratio_q_P2_u_P1_of_q_p5 - cos_q_p5_sq
+    let ratio_q_P2_u_P1_of_q_p5_4 = ratio_q_P2_u_P1_of_q_p5 - cos_q_p5_sq;
+    // -ratio_q_P2_u_P1_of_q_p5
+    let ratio_q_P2_u_P1_of_q_p5_5 = -ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_2 = ratio_q_P2_u_P1_of_q_p5_5 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_3 = ratio_q_P2_u_P1_of_q_p4_q_p5_2 * cos_q_P4;
+    // -sin(q_P4)*(ratio_q_P2_u_P1_of_q_p4_q_p5 + ratio_q_P2_u_P1_of_q_p5_4) -
+    //   ratio_q_P2_u_P1_of_q_p4_q_p5_3
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_4 = -sin_q_P4
+        * (ratio_q_P2_u_P1_of_q_p4_q_p5 + ratio_q_P2_u_P1_of_q_p5_4)
+        - ratio_q_P2_u_P1_of_q_p4_q_p5_3;
+    // ratio_q_P2_u_P1_of_q_p4_q_p5_4 - ratio_q_P2_u_P1_of_q_p5_4
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_5 = ratio_q_P2_u_P1_of_q_p4_q_p5_4 - ratio_q_P2_u_P1_of_q_p5_4;
+    // 1 + sin(q_P4)
+    let ratio_q_P2_u_P1_of_q_p4 = S::int(1) + sin_q_P4;
+    // ratio_q_P2_u_P1_of_q_p5*(ratio_q_P2_u_P1_of_q_p4 - 2*cos_q_p4_sq)
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_6 = ratio_q_P2_u_P1_of_q_p5
+        * (-cos_q_p4_sq).mul_add(S::int(2), ratio_q_P2_u_P1_of_q_p4);
+    let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
+    // cos(q_P3)*(ratio_q_P2_u_P1_of_q_p4_q_p5_5*cos(q_P3) +
+    //   ratio_q_P2_u_P1_of_q_p4_q_p5_6*sin_q_p3_cos_q_p5)
+    let ratio_q_P2_u_P1_of_place = cos_q_P3
+        * ratio_q_P2_u_P1_of_q_p4_q_p5_6
+            .mul_add(sin_q_p3_cos_q_p5, ratio_q_P2_u_P1_of_q_p4_q_p5_5 * cos_q_P3);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_7 = ratio_q_P2_u_P1_of_q_p5_5 * sin_q_P4;
+    // ratio_q_P2_u_P1_of_q_p4_q_p5_7 - ratio_q_P2_u_P1_of_q_p4_q_p5
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_8 = ratio_q_P2_u_P1_of_q_p4_q_p5_7
+        - ratio_q_P2_u_P1_of_q_p4_q_p5;
+    // cos_q_p5_sq - 3*ratio_q_P2_u_P1_of_q_p5 + 2*ratio_q_P2_u_P1_of_q_p4_q_p5_8
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_9 = (-ratio_q_P2_u_P1_of_q_p5)
+        .mul_add(S::int(3), cos_q_p5_sq) + S::int(2) * ratio_q_P2_u_P1_of_q_p4_q_p5_8;
+    // 2*ratio_q_P2_u_P1_of_q_p4_q_p5_7 - ratio_q_P2_u_P1_of_q_p5
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_10 = ratio_q_P2_u_P1_of_q_p4_q_p5_7
+        .mul_add(S::int(2), -ratio_q_P2_u_P1_of_q_p5);
+    let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
     let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
-    // ratio_q_P1_u_P4_of_place_3*cos(q_P2) - ratio_q_P1_u_P4_of_q_p5_2*sin_q_p2_cos_q_p4
-    let ratio_q_P1_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(sin_q_p2_cos_q_p4, ratio_q_P1_u_P4_of_place_3 * cos_q_P2);
+    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
+    // sin(q_P2)*(ratio_q_P2_u_P1_of_q_p4_q_p5_5*sin(q_P3) -
+    //   ratio_q_P2_u_P1_of_q_p4_q_p5_6*cos_q_p3_cos_q_p5)
+    let ratio_q_P2_u_P1_of_place_2 = sin_q_P2
+        * (-ratio_q_P2_u_P1_of_q_p4_q_p5_6)
+            .mul_add(cos_q_p3_cos_q_p5, ratio_q_P2_u_P1_of_q_p4_q_p5_5 * sin_q_P3);
+    let ratio_q_P2_u_P1_of_place_3 = ratio_q_P2_u_P1_of_q_p4_q_p5_2 * sin_q_P2;
+    let cos_q_p2_sin_q_p3 = cos_q_P2 * sin_q_P3;
+    // cos(q_P1)*(sin(q_P1)*(ratio_q_P2_u_P1_of_q_p4_q_p5_5 - 2*ratio_q_P2_u_P1_of_place +
+    //   cos(q_P2)*(cos(q_P2)*(ratio_q_P2_u_P1_of_q_p5 + sin(q_P4)*(ratio_q_P2_u_P1_of_q_p5 +
+    //   2*ratio_q_P2_u_P1_of_q_p4_q_p5) + 2*ratio_q_P2_u_P1_of_q_p4_q_p5_3 + ratio_q_P2_u_P1_of_place) -
+    //   sin_q_p2_cos_q_p4*(ratio_q_P2_u_P1_of_q_p4_q_p5_9*sin(q_P3) +
+    //   ratio_q_P2_u_P1_of_q_p4_q_p5_10*cos_q_p3_cos_q_p5))) -
+    //   cos(q_P1)*(cos(q_P5)*(ratio_q_P2_u_P1_of_q_p4_q_p5_6*sin(q_P2) +
+    //   ratio_q_P2_u_P1_of_q_p4_q_p5_10*cos_q_p2_cos_q_p4*sin(q_P3)) +
+    //   cos(q_P3)*(2*ratio_q_P2_u_P1_of_place_2 - ratio_q_P2_u_P1_of_q_p4_q_p5_9*cos_q_p2_cos_q_p4))) +
+    //   cos(q_P3)*(cos_q_p2_cos_q_p4*(ratio_q_P2_u_P1_of_q_p5_2 - ratio_q_P2_u_P1_of_q_p4_q_p5_8) +
+    //   ratio_q_P2_u_P1_of_place_2) + cos(q_P4)*cos(q_P5)*(ratio_q_P2_u_P1_of_place_3 +
+    //   ratio_q_P2_u_P1_of_q_p4_q_p5_7*cos_q_p2_sin_q_p3)
+    let ratio_q_P2_u_P1_of_place_4 = cos_q_P1
+        * (sin_q_P1
+            * (ratio_q_P2_u_P1_of_q_p4_q_p5_5 - S::int(2) * ratio_q_P2_u_P1_of_place
+                + cos_q_P2
+                    * (cos_q_P2
+                        * (ratio_q_P2_u_P1_of_q_p5
+                            + sin_q_P4
+                                * ratio_q_P2_u_P1_of_q_p4_q_p5
+                                    .mul_add(S::int(2), ratio_q_P2_u_P1_of_q_p5)
+                            + S::int(2) * ratio_q_P2_u_P1_of_q_p4_q_p5_3 + ratio_q_P2_u_P1_of_place)
+                        - sin_q_p2_cos_q_p4
+                            * ratio_q_P2_u_P1_of_q_p4_q_p5_10
+                                .mul_add(
+                                    cos_q_p3_cos_q_p5,
+                                    ratio_q_P2_u_P1_of_q_p4_q_p5_9 * sin_q_P3,
+                                )))
+            - cos_q_P1
+                * (cos_q_P5
+                    * (ratio_q_P2_u_P1_of_q_p4_q_p5_10 * cos_q_p2_cos_q_p4)
+                        .mul_add(sin_q_P3, ratio_q_P2_u_P1_of_q_p4_q_p5_6 * sin_q_P2)
+                    + cos_q_P3
+                        * (-ratio_q_P2_u_P1_of_q_p4_q_p5_9)
+                            .mul_add(
+                                cos_q_p2_cos_q_p4,
+                                S::int(2) * ratio_q_P2_u_P1_of_place_2,
+                            )))
+        + cos_q_P3
+            * (cos_q_p2_cos_q_p4 * (ratio_q_P2_u_P1_of_q_p5_2 - ratio_q_P2_u_P1_of_q_p4_q_p5_8)
+                + ratio_q_P2_u_P1_of_place_2)
+        + cos_q_P4 * cos_q_P5
+            * ratio_q_P2_u_P1_of_q_p4_q_p5_7
+                .mul_add(cos_q_p2_sin_q_p3, ratio_q_P2_u_P1_of_place_3);
+    // 1 - cos_q_p3_cos_q_p5
+    let ratio_q_P2_u_P1_of_q_p3_q_p5 = S::int(1) - cos_q_p3_cos_q_p5;
+    // ratio_q_P2_u_P1_of_q_p4_q_p5_7 - 1
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_11 = ratio_q_P2_u_P1_of_q_p4_q_p5_7 - S::int(1);
+    let ratio_q_P2_u_P1_of_place_5 = ratio_q_P2_u_P1_of_q_p4_q_p5_11 * sin_q_P3;
+    // -ratio_q_P2_u_P1_of_q_p3_q_p5 - ratio_q_P2_u_P1_of_place_5
+    let ratio_q_P2_u_P1_of_place_6 = -ratio_q_P2_u_P1_of_q_p3_q_p5 - ratio_q_P2_u_P1_of_place_5;
+    // ratio_q_P2_u_P1_of_q_p4_q_p5_2*cos(q_P2) + ratio_q_P2_u_P1_of_place_6*sin(q_P2)
+    let ratio_q_P2_u_P1_of_place_7 = ratio_q_P2_u_P1_of_place_6
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_q_p4_q_p5_2 * cos_q_P2);
+    // 1 + ratio_q_P2_u_P1_of_place_7
+    let ratio_q_P2_u_P1_of_place_8 = S::int(1) + ratio_q_P2_u_P1_of_place_7;
+    // sin_q_p3_cos_q_p5 + ratio_q_P2_u_P1_of_q_p4_q_p5_11*cos(q_P3)
+    let ratio_q_P2_u_P1_of_place_9 = ratio_q_P2_u_P1_of_q_p4_q_p5_11
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
+    let ratio_q_P2_u_P1_of_place_10 = ratio_q_P2_u_P1_of_place_9 * cos_q_P1;
+    // ratio_q_P2_u_P1_of_place_8*sin(q_P1) + ratio_q_P2_u_P1_of_place_10
+    let ratio_q_P2_u_P1_of_place_11 = ratio_q_P2_u_P1_of_place_8
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_10);
+    let l_sq = l * l;
+    // ratio_q_P2_u_P1_of_q_p4_q_p5_7*cos(q_P2) + ratio_q_P2_u_P1_of_place_3*sin(q_P3)
+    let ratio_q_P2_u_P1_of_place_12 = ratio_q_P2_u_P1_of_place_3
+        .mul_add(sin_q_P3, ratio_q_P2_u_P1_of_q_p4_q_p5_7 * cos_q_P2);
+    let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
     let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
     let sin_q_p2_sin_q_p1 = sin_q_P1 * sin_q_P2;
-    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
     // sin(q_P2)*sin(q_P3)*sin(q_P4) - cos_q_p2_cos_q_p4
-    let ratio_q_P1_u_P4_of_place_5 = (sin_q_P2 * sin_q_P3)
+    let ratio_q_P2_u_P1_of_place_13 = (sin_q_P2 * sin_q_P3)
         .mul_add(sin_q_P4, -cos_q_p2_cos_q_p4);
-    let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
-    // cos(q_P5)*(sin_q_p3_cos_q_p1 + sin_q_p2_sin_q_p1*cos(q_P3)) + sin(q_P5)*(cos_q_p3_cos_q_p1*sin(q_P4)
-    //   - ratio_q_P1_u_P4_of_place_5*sin(q_P1))
-    let ratio_q_P1_u_P4_of_place_6 = cos_q_P5
-        * sin_q_p2_sin_q_p1.mul_add(cos_q_P3, sin_q_p3_cos_q_p1)
-        + sin_q_P5
-            * (-ratio_q_P1_u_P4_of_place_5)
-                .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4);
-    let l_sin_q_p1 = l * sin_q_P1;
-    let sin_q_p3_sin_q_p5 = sin_q_P3 * sin_q_P5;
-    // cos_q_p3_cos_q_p5*sin(q_P4) - sin_q_p3_sin_q_p5
-    let ratio_q_P1_u_P4_of_place_7 = cos_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, -sin_q_p3_sin_q_p5);
-    let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
-    let cos_q_p3_sin_q_p5 = cos_q_P3 * sin_q_P5;
-    // sin_q_p3_cos_q_p5*sin(q_P4) + cos_q_p3_sin_q_p5
-    let ratio_q_P1_u_P4_of_place_8 = sin_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, cos_q_p3_sin_q_p5);
-    // cos_q_p2_cos_q_p4*cos(q_P5) - ratio_q_P1_u_P4_of_place_8*sin(q_P2)
-    let ratio_q_P1_u_P4_of_place_9 = (-ratio_q_P1_u_P4_of_place_8)
+    // l*(cos(q_P5)*(sin_q_p3_cos_q_p1 + sin_q_p2_sin_q_p1*cos(q_P3)) +
+    //   sin(q_P5)*(cos_q_p3_cos_q_p1*sin(q_P4) - ratio_q_P2_u_P1_of_place_13*sin(q_P1)))
+    let ratio_q_P2_u_P1_of_place_14 = l
+        * (cos_q_P5 * sin_q_p2_sin_q_p1.mul_add(cos_q_P3, sin_q_p3_cos_q_p1)
+            + sin_q_P5
+                * (-ratio_q_P2_u_P1_of_place_13)
+                    .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4));
+    // cos_q_p3_cos_q_p5*sin(q_P4) - sin(q_P3)*sin(q_P5)
+    let ratio_q_P2_u_P1_of_place_15 = (-sin_q_P3)
+        .mul_add(sin_q_P5, cos_q_p3_cos_q_p5 * sin_q_P4);
+    // cos(q_P3)*sin(q_P5) + sin_q_p3_cos_q_p5*sin(q_P4)
+    let ratio_q_P2_u_P1_of_place_16 = sin_q_p3_cos_q_p5
+        .mul_add(sin_q_P4, cos_q_P3 * sin_q_P5);
+    // cos_q_p2_cos_q_p4*cos(q_P5) - ratio_q_P2_u_P1_of_place_16*sin(q_P2)
+    let ratio_q_P2_u_P1_of_place_17 = (-ratio_q_P2_u_P1_of_place_16)
         .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
-    // ratio_q_P1_u_P4_of_place_7*cos(q_P1) + ratio_q_P1_u_P4_of_place_9*sin(q_P1)
-    let ratio_q_P1_u_P4_of_place_10 = ratio_q_P1_u_P4_of_place_9
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_7 * cos_q_P1);
-    // sin_q_p2_cos_q_p4*cos(q_P5) + ratio_q_P1_u_P4_of_place_8*cos(q_P2)
-    let ratio_q_P1_u_P4_of_place_11 = ratio_q_P1_u_P4_of_place_8
-        .mul_add(cos_q_P2, sin_q_p2_cos_q_p4 * cos_q_P5);
-    let ratio_q_P1_u_P4_of_place_12 = l_sin_q_p1 * ratio_q_P1_u_P4_of_place_11;
-    // ratio_q_P1_u_P4_of_place_4*ratio_q_P1_u_P4_of_place_6*l_sin_q_p1 -
-    //   ratio_q_P1_u_P4_of_place_10*ratio_q_P1_u_P4_of_place_12
-    let ratio_q_P1_u_P4_of_place_13 = (-ratio_q_P1_u_P4_of_place_10)
+    // ratio_q_P2_u_P1_of_place_15*cos(q_P1) + ratio_q_P2_u_P1_of_place_17*sin(q_P1)
+    let ratio_q_P2_u_P1_of_place_18 = ratio_q_P2_u_P1_of_place_17
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_15 * cos_q_P1);
+    let cos_q_p2_sin_q_p4 = cos_q_P2 * sin_q_P4;
+    let ratio_q_P2_u_P1_of_place_19 = cos_q_p3_cos_q_p1 * cos_q_P4;
+    // cos(q_P5)*(ratio_q_P2_u_P1_of_place_19 - sin(q_P1)*(sin_q_p2_cos_q_p4*sin(q_P3) +
+    //   cos_q_p2_sin_q_p4))
+    let ratio_q_P2_u_P1_of_place_20 = cos_q_P5
+        * (ratio_q_P2_u_P1_of_place_19
+            - sin_q_P1 * sin_q_p2_cos_q_p4.mul_add(sin_q_P3, cos_q_p2_sin_q_p4));
+    let ratio_q_P2_u_P1_of_place_21 = l * ratio_q_P2_u_P1_of_place_20;
+    let ratio_q_P2_u_P1_of_place_22 = l * ratio_q_P2_u_P1_of_place_7;
+    // ratio_q_P2_u_P1_of_place_6*cos(q_P2) - ratio_q_P2_u_P1_of_place_3
+    let ratio_q_P2_u_P1_of_place_23 = ratio_q_P2_u_P1_of_place_6
+        .mul_add(cos_q_P2, -ratio_q_P2_u_P1_of_place_3);
+    let ratio_q_P2_u_P1_of_place_24 = ratio_q_P2_u_P1_of_place_16 * cos_q_P2;
+    // sin_q_p2_cos_q_p4*cos(q_P5) + ratio_q_P2_u_P1_of_place_24
+    let ratio_q_P2_u_P1_of_place_25 = sin_q_p2_cos_q_p4
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_24);
+    let ratio_q_P2_u_P1_of_place_26 = l * ratio_q_P2_u_P1_of_place_25;
+    let ratio_q_P2_u_P1_of_place_27 = ratio_q_P2_u_P1_of_place_26 * sin_q_P1;
+    // ratio_q_P2_u_P1_of_place_14*ratio_q_P2_u_P1_of_place_23*sin(q_P1) -
+    //   ratio_q_P2_u_P1_of_place_18*ratio_q_P2_u_P1_of_place_27
+    let ratio_q_P2_u_P1_of_place_28 = (-ratio_q_P2_u_P1_of_place_18)
         .mul_add(
-            ratio_q_P1_u_P4_of_place_12,
-            ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_of_place_6 * l_sin_q_p1,
+            ratio_q_P2_u_P1_of_place_27,
+            ratio_q_P2_u_P1_of_place_14 * ratio_q_P2_u_P1_of_place_23 * sin_q_P1,
         );
-    // ratio_q_P1_u_P4_of_q_p4_q_p5_2*cos(q_P3) + sin_q_p3_cos_q_p5
-    let ratio_q_P1_u_P4_of_place_14 = ratio_q_P1_u_P4_of_q_p4_q_p5_2
-        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
-    let ratio_q_P1_u_P4_of_place_15 = ratio_q_P1_u_P4_of_place_14 * cos_q_P2;
-    let ratio_q_P1_u_P4_of_place_16 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_p2_cos_q_p4;
-    // ratio_q_P1_u_P4_of_place_3*sin(q_P2) + ratio_q_P1_u_P4_of_place_16
-    let ratio_q_P1_u_P4_of_place_17 = ratio_q_P1_u_P4_of_place_3
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_16);
-    // 1 + sin(q_P4)
-    let ratio_q_P1_u_P4_of_q_p4 = S::int(1) + sin_q_P4;
-    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
-    // cos_q_p4_sq + sin(q_P5)*(ratio_q_P1_u_P4_of_q_p4 - cos_q_p4_sq)
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_3 = cos_q_p4_sq
-        + sin_q_P5 * (ratio_q_P1_u_P4_of_q_p4 - cos_q_p4_sq);
-    let ratio_q_P1_u_P4_of_place_18 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * sin_q_P3;
-    // cos_q_p2_cos_q_p4*(sin(q_P5) + ratio_q_P1_u_P4_of_q_p4_q_p5)
-    let ratio_q_P1_u_P4_of_place_19 = cos_q_p2_cos_q_p4 * (sin_q_P5 + ratio_q_P1_u_P4_of_q_p4_q_p5);
-    let ratio_q_P1_u_P4_of_place_20 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_21 = sin_q_p3_cos_q_p5 * ratio_q_P1_u_P4_of_q_p4;
-    let l_sq = l * l;
-    // -l_sq*(sin_q_p3_cos_q_p1*cos(q_P1)*(ratio_q_P1_u_P4_of_place_20 + ratio_q_P1_u_P4_of_place_21) +
-    //   sin(q_P1)*(sin_q_p3_cos_q_p1*ratio_q_P1_u_P4_of_place_19 +
-    //   sin(q_P2)*(cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(cos_q_p3_cos_q_p5*ratio_q_P1_u_P4_of_q_p4 -
-    //   ratio_q_P1_u_P4_of_place_18) + ratio_q_P1_u_P4_of_place_19) + cos(q_P1)*(ratio_q_P1_u_P4_of_place_20
-    //   + 2*ratio_q_P1_u_P4_of_place_21)) - sin_q_p3_cos_q_p1*ratio_q_P1_u_P4_of_place_18)))
-    let ratio_q_P1_u_P4_of_place_22 = -l_sq
-        * (sin_q_p3_cos_q_p1 * cos_q_P1
-            * (ratio_q_P1_u_P4_of_place_20 + ratio_q_P1_u_P4_of_place_21)
-            + sin_q_P1
-                * (sin_q_P2
-                    * (cos_q_P3
-                        * (sin_q_P1
-                            * (sin_q_P2
-                                * cos_q_p3_cos_q_p5
-                                    .mul_add(
-                                        ratio_q_P1_u_P4_of_q_p4, -ratio_q_P1_u_P4_of_place_18,
-                                    ) + ratio_q_P1_u_P4_of_place_19)
-                            + cos_q_P1
-                                * ratio_q_P1_u_P4_of_place_21
-                                    .mul_add(S::int(2), ratio_q_P1_u_P4_of_place_20))
-                        - sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_of_place_18)
-                    + sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_of_place_19));
-    // sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - ratio_q_P1_u_P4_of_q_p3_q_p5)
-    let ratio_q_P1_u_P4_of_place_23 = sin_q_P5 * (S::int(1) - sin_q_P3)
-        + sin_q_P4 * (sin_q_P5 - ratio_q_P1_u_P4_of_q_p3_q_p5);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_2 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P3;
-    // cos_q_p3_cos_q_p5 + ratio_q_P1_u_P4_of_q_p3_q_p5_2
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_3 = cos_q_p3_cos_q_p5 + ratio_q_P1_u_P4_of_q_p3_q_p5_2;
-    // ratio_q_P1_u_P4_of_place_23*cos(q_P2) + sin_q_p2_cos_q_p4*ratio_q_P1_u_P4_of_q_p3_q_p5_3
-    let ratio_q_P1_u_P4_of_place_24 = sin_q_p2_cos_q_p4
-        .mul_add(ratio_q_P1_u_P4_of_q_p3_q_p5_3, ratio_q_P1_u_P4_of_place_23 * cos_q_P2);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_4 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_25 = ratio_q_P1_u_P4_of_place_8 * cos_q_P1;
-    let sin_q_p1_l_sq = l_sq * sin_q_P1;
-    // sin_q_p1_l_sq*(sin(q_P2)*(ratio_q_P1_u_P4_of_place_24*sin(q_P1) +
-    //   cos(q_P1)*cos(q_P4)*(sin_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_4)) +
-    //   ratio_q_P1_u_P4_of_place_25*cos(q_P2))
-    let ratio_q_P1_u_P4_of_place_26 = sin_q_p1_l_sq
+    // ratio_q_P2_u_P1_of_q_p4_q_p5_2*cos_q_p2_sin_q_p3 - ratio_q_P2_u_P1_of_q_p4_q_p5_7*sin(q_P2)
+    let ratio_q_P2_u_P1_of_place_29 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_7)
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_q_p4_q_p5_2 * cos_q_p2_sin_q_p3);
+    let ratio_q_P2_u_P1_of_place_30 = l * ratio_q_P2_u_P1_of_place_29;
+    let ratio_q_P2_u_P1_of_place_31 = l_sq * ratio_q_P2_u_P1_of_place_25;
+    // sin(q_P3) - 1
+    let ratio_q_P2_u_P1_of_q_p3 = sin_q_P3 - S::int(1);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_2 = ratio_q_P2_u_P1_of_q_p5_5 * cos_q_P3;
+    // ratio_q_P2_u_P1_of_q_p3_q_p5_2 - ratio_q_P2_u_P1_of_q_p3*cos(q_P5)
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_3 = (-ratio_q_P2_u_P1_of_q_p3)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_q_p3_q_p5_2);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_4 = ratio_q_P2_u_P1_of_q_p5_5 * sin_q_P3;
+    let cos_q_p2_sin_q_p1 = sin_q_P1 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_32 = ratio_q_P2_u_P1_of_q_p4_q_p5_7 * cos_q_p2_sin_q_p1;
+    // cos_q_p2_sin_q_p1*(sin(q_P1)*cos(q_P5)*(cos_q_p2_sin_q_p4 - sin(q_P3)*(cos_q_p2_sin_q_p4 +
+    //   sin_q_p2_cos_q_p4*ratio_q_P2_u_P1_of_q_p3)) +
+    //   cos(q_P3)*(cos(q_P4)*(sin_q_p2_sin_q_p1*ratio_q_P2_u_P1_of_q_p3_q_p5_4 -
+    //   ratio_q_P2_u_P1_of_q_p3_q_p5_3*cos(q_P1)) + ratio_q_P2_u_P1_of_place_32))
+    let ratio_q_P2_u_P1_of_place_33 = cos_q_p2_sin_q_p1
+        * (sin_q_P1 * cos_q_P5
+            * (cos_q_p2_sin_q_p4
+                - sin_q_P3
+                    * sin_q_p2_cos_q_p4
+                        .mul_add(ratio_q_P2_u_P1_of_q_p3, cos_q_p2_sin_q_p4))
+            + cos_q_P3
+                * (cos_q_P4
+                    * (-ratio_q_P2_u_P1_of_q_p3_q_p5_3)
+                        .mul_add(
+                            cos_q_P1,
+                            sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_of_q_p3_q_p5_4,
+                        ) + ratio_q_P2_u_P1_of_place_32));
+    // ratio_q_P2_u_P1_of_place_22*(ratio_q_P2_u_P1_of_place_14*(ratio_q_P2_u_P1_of_place_12*sin(q_P1) -
+    //   ratio_q_P2_u_P1_of_q_p4_q_p5_2*cos_q_p3_cos_q_p1) -
+    //   ratio_q_P2_u_P1_of_place_18*ratio_q_P2_u_P1_of_place_21) +
+    //   ratio_q_P2_u_P1_of_place_28*ratio_q_P2_u_P1_of_place_30 +
+    //   ratio_q_P2_u_P1_of_place_31*ratio_q_P2_u_P1_of_place_33
+    let ratio_q_P2_u_P1_of_place_34 = ratio_q_P2_u_P1_of_place_22
+        * (ratio_q_P2_u_P1_of_place_14
+            * (-ratio_q_P2_u_P1_of_q_p4_q_p5_2)
+                .mul_add(cos_q_p3_cos_q_p1, ratio_q_P2_u_P1_of_place_12 * sin_q_P1)
+            - ratio_q_P2_u_P1_of_place_18 * ratio_q_P2_u_P1_of_place_21)
+        + ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_of_place_30
+        + ratio_q_P2_u_P1_of_place_31 * ratio_q_P2_u_P1_of_place_33;
+    // l*(sin(q_P1)*(cos_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_place_5) +
+    //   ratio_q_P2_u_P1_of_place_10*sin(q_P2))
+    let ratio_q_P2_u_P1_of_place_35 = l
+        * (sin_q_P1 * (cos_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_place_5)
+            + ratio_q_P2_u_P1_of_place_10 * sin_q_P2);
+    let ratio_q_P2_u_P1_of_place_36 = ratio_q_P2_u_P1_of_place_9 * cos_q_P2;
+    // cos_q_p3_cos_q_p5 + ratio_q_P2_u_P1_of_q_p3_q_p5_4
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_5 = cos_q_p3_cos_q_p5 + ratio_q_P2_u_P1_of_q_p3_q_p5_4;
+    // cos(q_P1)*(sin_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p3_q_p5_2)
+    let ratio_q_P2_u_P1_of_place_37 = cos_q_P1
+        * (sin_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p3_q_p5_2);
+    // sin(q_P1)*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P4)*(ratio_q_P2_u_P1_of_q_p5 - cos_q_p3_cos_q_p5)
+    //   + ratio_q_P2_u_P1_of_q_p3*sin(q_P5)) - sin_q_p2_cos_q_p4*ratio_q_P2_u_P1_of_q_p3_q_p5_5) -
+    //   ratio_q_P2_u_P1_of_place_37*cos(q_P4)) - ratio_q_P2_u_P1_of_place_24*cos(q_P1))
+    let ratio_q_P2_u_P1_of_place_38 = sin_q_P1
         * (sin_q_P2
-            * (cos_q_P1 * cos_q_P4 * (sin_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_4)
-                + ratio_q_P1_u_P4_of_place_24 * sin_q_P1) + ratio_q_P1_u_P4_of_place_25 * cos_q_P2);
-    // l*ratio_q_P1_u_P4_of_place_13*ratio_q_P1_u_P4_of_place_15 +
-    //   ratio_q_P1_u_P4_of_place_17*ratio_q_P1_u_P4_of_place_22 +
-    //   ratio_q_P1_u_P4_of_place_11*ratio_q_P1_u_P4_of_place_26
-    let ratio_q_P1_u_P4_of_place_27 = ratio_q_P1_u_P4_of_place_17
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_22,
-            l * ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_15,
-        ) + ratio_q_P1_u_P4_of_place_11 * ratio_q_P1_u_P4_of_place_26;
-    // ratio_q_P1_u_P4_of_q_p4_q_p5*cos(q_P2) + sin_q_p2_cos_q_p4*ratio_q_P1_u_P4_of_q_p3_q_p5_2
-    let ratio_q_P1_u_P4_of_place_28 = sin_q_p2_cos_q_p4
-        .mul_add(
-            ratio_q_P1_u_P4_of_q_p3_q_p5_2,
-            ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_P2,
-        );
-    // 1 + ratio_q_P1_u_P4_of_place_17
-    let ratio_q_P1_u_P4_of_place_29 = S::int(1) + ratio_q_P1_u_P4_of_place_17;
-    let ratio_q_P1_u_P4_of_place_30 = ratio_q_P1_u_P4_of_place_14 * cos_q_P1;
-    // ratio_q_P1_u_P4_of_place_29*sin(q_P1) + ratio_q_P1_u_P4_of_place_30
-    let ratio_q_P1_u_P4_of_place_31 = ratio_q_P1_u_P4_of_place_29
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_30);
-    let ratio_q_P1_u_P4_of_place_32 = l * ratio_q_P1_u_P4_of_place_31;
-    // sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos_q_p3_cos_q_p1*sin(q_P2)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + ratio_q_P1_u_P4_of_place_5*cos(q_P1))
-    let ratio_q_P1_u_P4_of_place_33 = sin_q_P5
-        * (-cos_q_p3_cos_q_p1).mul_add(sin_q_P2, sin_q_P1 * sin_q_P3)
-        - cos_q_P5
-            * ratio_q_P1_u_P4_of_place_5
-                .mul_add(cos_q_P1, sin_q_P1 * cos_q_P3 * sin_q_P4);
-    // ratio_q_P1_u_P4_of_place_29*cos(q_P1) - ratio_q_P1_u_P4_of_place_14*sin(q_P1)
-    let ratio_q_P1_u_P4_of_place_34 = (-ratio_q_P1_u_P4_of_place_14)
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_29 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_35 = l * ratio_q_P1_u_P4_of_place_6;
-    // l*(l*ratio_q_P1_u_P4_of_place_10*ratio_q_P1_u_P4_of_place_33 +
-    //   ratio_q_P1_u_P4_of_place_34*ratio_q_P1_u_P4_of_place_35)
-    let ratio_q_P1_u_P4_of_place_36 = l
-        * ratio_q_P1_u_P4_of_place_34
+            * (sin_q_P1
+                * (cos_q_P2
+                    * (sin_q_P4 * (ratio_q_P2_u_P1_of_q_p5 - cos_q_p3_cos_q_p5)
+                        + ratio_q_P2_u_P1_of_q_p3 * sin_q_P5)
+                    - sin_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p3_q_p5_5)
+                - ratio_q_P2_u_P1_of_place_37 * cos_q_P4) - ratio_q_P2_u_P1_of_place_24 * cos_q_P1);
+    // cos_q_p4_sq + sin(q_P5)*(ratio_q_P2_u_P1_of_q_p4 - cos_q_p4_sq)
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_12 = cos_q_p4_sq
+        + sin_q_P5 * (ratio_q_P2_u_P1_of_q_p4 - cos_q_p4_sq);
+    let ratio_q_P2_u_P1_of_place_39 = ratio_q_P2_u_P1_of_q_p4_q_p5_12 * sin_q_P3;
+    // sin(q_P5) + ratio_q_P2_u_P1_of_q_p4_q_p5_7
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_13 = sin_q_P5 + ratio_q_P2_u_P1_of_q_p4_q_p5_7;
+    let ratio_q_P2_u_P1_of_place_40 = cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p4_q_p5_13;
+    let ratio_q_P2_u_P1_of_place_41 = ratio_q_P2_u_P1_of_q_p4_q_p5_12 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_42 = ratio_q_P2_u_P1_of_q_p4 * sin_q_p3_cos_q_p5;
+    let ratio_q_P2_u_P1_of_place_43 = ratio_q_P2_u_P1_of_place_7 * l_sq;
+    // l*ratio_q_P2_u_P1_of_place_28*ratio_q_P2_u_P1_of_place_36 -
+    //   ratio_q_P2_u_P1_of_place_31*ratio_q_P2_u_P1_of_place_38 -
+    //   ratio_q_P2_u_P1_of_place_43*(sin_q_p3_cos_q_p1*cos(q_P1)*(ratio_q_P2_u_P1_of_place_41 +
+    //   ratio_q_P2_u_P1_of_place_42) + sin(q_P1)*(sin_q_p3_cos_q_p1*ratio_q_P2_u_P1_of_place_40 +
+    //   sin(q_P2)*(cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(ratio_q_P2_u_P1_of_q_p4*cos_q_p3_cos_q_p5 -
+    //   ratio_q_P2_u_P1_of_place_39) + ratio_q_P2_u_P1_of_place_40) + cos(q_P1)*(ratio_q_P2_u_P1_of_place_41
+    //   + 2*ratio_q_P2_u_P1_of_place_42)) - sin_q_p3_cos_q_p1*ratio_q_P2_u_P1_of_place_39)))
+    let ratio_q_P2_u_P1_of_place_44 = l * ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_of_place_36
+        - ratio_q_P2_u_P1_of_place_31 * ratio_q_P2_u_P1_of_place_38
+        - ratio_q_P2_u_P1_of_place_43
+            * (sin_q_p3_cos_q_p1 * cos_q_P1
+                * (ratio_q_P2_u_P1_of_place_41 + ratio_q_P2_u_P1_of_place_42)
+                + sin_q_P1
+                    * (sin_q_P2
+                        * (cos_q_P3
+                            * (sin_q_P1
+                                * (sin_q_P2
+                                    * ratio_q_P2_u_P1_of_q_p4
+                                        .mul_add(cos_q_p3_cos_q_p5, -ratio_q_P2_u_P1_of_place_39)
+                                    + ratio_q_P2_u_P1_of_place_40)
+                                + cos_q_P1
+                                    * ratio_q_P2_u_P1_of_place_42
+                                        .mul_add(S::int(2), ratio_q_P2_u_P1_of_place_41))
+                            - sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_of_place_39)
+                        + sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_of_place_40));
+    let cos_q_p3_sin_q_p1 = sin_q_P1 * cos_q_P3;
+    // l*(ratio_q_P2_u_P1_of_place_12*cos(q_P1) + ratio_q_P2_u_P1_of_q_p4_q_p5_2*cos_q_p3_sin_q_p1)
+    let ratio_q_P2_u_P1_of_place_45 = l
+        * ratio_q_P2_u_P1_of_q_p4_q_p5_2
+            .mul_add(cos_q_p3_sin_q_p1, ratio_q_P2_u_P1_of_place_12 * cos_q_P1);
+    // l_sq*(ratio_q_P2_u_P1_of_place_33*ratio_q_P2_u_P1_of_place_36 +
+    //   ratio_q_P2_u_P1_of_place_29*ratio_q_P2_u_P1_of_place_38) +
+    //   ratio_q_P2_u_P1_of_place_43*(sin(q_P1)*(sin(q_P2)*(cos_q_p3_cos_q_p5*(cos_q_p2_sin_q_p1*sin(q_P4) -
+    //   ratio_q_P2_u_P1_of_place_19) + sin(q_P3)*(ratio_q_P2_u_P1_of_place_32 +
+    //   cos(q_P4)*(cos(q_P1)*(sin_q_p3_cos_q_p5 - 2*ratio_q_P2_u_P1_of_q_p3_q_p5_2) +
+    //   sin_q_p2_sin_q_p1*ratio_q_P2_u_P1_of_q_p3_q_p5_5))) + cos_q_p2_sin_q_p4*ratio_q_P2_u_P1_of_place_37)
+    //   - ratio_q_P2_u_P1_of_place_19*ratio_q_P2_u_P1_of_place_37)
+    let ratio_q_P2_u_P1_of_place_46 = l_sq
+        * ratio_q_P2_u_P1_of_place_29
             .mul_add(
-                ratio_q_P1_u_P4_of_place_35,
-                l * ratio_q_P1_u_P4_of_place_10 * ratio_q_P1_u_P4_of_place_33,
-            );
-    // 1 - sin(q_P2)
-    let ratio_q_P1_u_P4_of_q_p2 = S::int(1) - sin_q_P2;
-    // sin_q_p1_l_sq*(cos(q_P4)*(cos(q_P1)*(ratio_q_P1_u_P4_of_q_p3_q_p5_4 +
-    //   cos(q_P5)*(ratio_q_P1_u_P4_of_q_p2 - sin(q_P3))) - sin_q_p2_sin_q_p1*ratio_q_P1_u_P4_of_q_p3_q_p5_3)
-    //   - cos(q_P2)*(ratio_q_P1_u_P4_of_place_23*sin(q_P1) + ratio_q_P1_u_P4_of_place_25))
-    let ratio_q_P1_u_P4_of_place_37 = sin_q_p1_l_sq
-        * (cos_q_P4
-            * (cos_q_P1
-                * (ratio_q_P1_u_P4_of_q_p3_q_p5_4 + cos_q_P5 * (ratio_q_P1_u_P4_of_q_p2 - sin_q_P3))
-                - sin_q_p2_sin_q_p1 * ratio_q_P1_u_P4_of_q_p3_q_p5_3)
-            - cos_q_P2
-                * ratio_q_P1_u_P4_of_place_23
-                    .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_25));
-    // ratio_q_P1_u_P4_of_place_17*ratio_q_P1_u_P4_of_place_36 +
-    //   ratio_q_P1_u_P4_of_place_11*ratio_q_P1_u_P4_of_place_37
-    let ratio_q_P1_u_P4_of_place_38 = ratio_q_P1_u_P4_of_place_11
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_37,
-            ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_of_place_36,
-        );
-    // cos_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_place
-    let ratio_q_P1_u_P4_of_place_39 = cos_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_place;
-    // ratio_q_P1_u_P4_of_place_30*sin(q_P2) + ratio_q_P1_u_P4_of_place_39*sin(q_P1)
-    let ratio_q_P1_u_P4_of_place_40 = ratio_q_P1_u_P4_of_place_39
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_30 * sin_q_P2);
-    let ratio_q_P1_u_P4_of_place_41 = l * ratio_q_P1_u_P4_of_place_40;
-    // -ratio_q_P1_u_P4_of_q_p2
-    let ratio_q_P1_u_P4_of_q_p2_2 = -ratio_q_P1_u_P4_of_q_p2;
-    // -l_sq*cos(q_P1)*(sin(q_P1)*(ratio_q_P1_u_P4_of_place_24*cos(q_P2) -
-    //   ratio_q_P1_u_P4_of_place_7*ratio_q_P1_u_P4_of_q_p2) + cos(q_P1)*(cos(q_P3)*(cos_q_p2_cos_q_p4 +
-    //   sin(q_P5)*(ratio_q_P1_u_P4_of_q_p2 - cos_q_p2_cos_q_p4)) + sin_q_p3_cos_q_p5*(cos_q_p2_cos_q_p4 -
-    //   ratio_q_P1_u_P4_of_q_p2_2*sin(q_P4))))
-    let ratio_q_P1_u_P4_of_place_42 = -l_sq * cos_q_P1
-        * (sin_q_P1
-            * (-ratio_q_P1_u_P4_of_place_7)
-                .mul_add(ratio_q_P1_u_P4_of_q_p2, ratio_q_P1_u_P4_of_place_24 * cos_q_P2)
-            + cos_q_P1
-                * (cos_q_P3
-                    * (cos_q_p2_cos_q_p4 + sin_q_P5 * (ratio_q_P1_u_P4_of_q_p2 - cos_q_p2_cos_q_p4))
-                    + sin_q_p3_cos_q_p5
-                        * (-ratio_q_P1_u_P4_of_q_p2_2)
-                            .mul_add(sin_q_P4, cos_q_p2_cos_q_p4)));
-    // ratio_q_P1_u_P4_of_place_17*ratio_q_P1_u_P4_of_place_42 -
-    //   ratio_q_P1_u_P4_of_place_15*ratio_q_P1_u_P4_of_place_37
-    let ratio_q_P1_u_P4_of_place_43 = (-ratio_q_P1_u_P4_of_place_15)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_37,
-            ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_of_place_42,
-        );
-    // ratio_q_P1_u_P4_of_place_7*sin(q_P1) - ratio_q_P1_u_P4_of_place_9*cos(q_P1)
-    let ratio_q_P1_u_P4_of_place_44 = (-ratio_q_P1_u_P4_of_place_9)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_7 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_45 = l * ratio_q_P1_u_P4_of_place_44;
-    // ratio_q_P1_u_P4_of_place_15*ratio_q_P1_u_P4_of_place_36 +
-    //   ratio_q_P1_u_P4_of_place_11*ratio_q_P1_u_P4_of_place_42
-    let ratio_q_P1_u_P4_of_place_46 = ratio_q_P1_u_P4_of_place_11
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_42,
-            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_36,
-        );
-    let ratio_q_P1_u_P4_of_place_47 = ratio_q_P1_u_P4_of_place_4 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_48 = l * ratio_q_P1_u_P4_of_place_47;
-    // 1/(ratio_q_P1_u_P4_of_place_27*ratio_q_P1_u_P4_of_place_32 +
-    //   ratio_q_P1_u_P4_of_place_38*ratio_q_P1_u_P4_of_place_41 +
-    //   ratio_q_P1_u_P4_of_place_43*ratio_q_P1_u_P4_of_place_45 +
-    //   ratio_q_P1_u_P4_of_place_46*ratio_q_P1_u_P4_of_place_48)
-    let ratio_q_P1_u_P4_of_place_49 = S::int(1)
-        / (ratio_q_P1_u_P4_of_place_38
+                ratio_q_P2_u_P1_of_place_38,
+                ratio_q_P2_u_P1_of_place_33 * ratio_q_P2_u_P1_of_place_36,
+            )
+        + ratio_q_P2_u_P1_of_place_43
+            * (sin_q_P1
+                * (sin_q_P2
+                    * (cos_q_p3_cos_q_p5
+                        * cos_q_p2_sin_q_p1
+                            .mul_add(sin_q_P4, -ratio_q_P2_u_P1_of_place_19)
+                        + sin_q_P3
+                            * (ratio_q_P2_u_P1_of_place_32
+                                + cos_q_P4
+                                    * (cos_q_P1
+                                        * (-ratio_q_P2_u_P1_of_q_p3_q_p5_2)
+                                            .mul_add(S::int(2), sin_q_p3_cos_q_p5)
+                                        + sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_of_q_p3_q_p5_5)))
+                    + cos_q_p2_sin_q_p4 * ratio_q_P2_u_P1_of_place_37)
+                - ratio_q_P2_u_P1_of_place_19 * ratio_q_P2_u_P1_of_place_37);
+    // l*(ratio_q_P2_u_P1_of_place_15*sin(q_P1) - ratio_q_P2_u_P1_of_place_17*cos(q_P1))
+    let ratio_q_P2_u_P1_of_place_47 = l
+        * (-ratio_q_P2_u_P1_of_place_17)
+            .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_15 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_48 = l * ratio_q_P2_u_P1_of_place_23 * cos_q_P1;
+    // l/(ratio_q_P2_u_P1_of_place_44*ratio_q_P2_u_P1_of_place_45 -
+    //   ratio_q_P2_u_P1_of_place_34*ratio_q_P2_u_P1_of_place_35 +
+    //   ratio_q_P2_u_P1_of_place_46*ratio_q_P2_u_P1_of_place_47 +
+    //   ratio_q_P2_u_P1_of_place_4*l_sq*ratio_q_P2_u_P1_of_place_48)
+    let ratio_q_P2_u_P1_of_place_49 = l
+        / ((-ratio_q_P2_u_P1_of_place_34)
             .mul_add(
-                ratio_q_P1_u_P4_of_place_41,
-                ratio_q_P1_u_P4_of_place_27 * ratio_q_P1_u_P4_of_place_32,
-            ) + ratio_q_P1_u_P4_of_place_43 * ratio_q_P1_u_P4_of_place_45
-            + ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_of_place_48);
-    let ratio_q_P1_u_P4_of_place_50 = l * ratio_q_P1_u_P4_of_place_49;
-    // ratio_q_P1_u_P4_of_place_50*(ratio_q_P1_u_P4_of_q_p3_q_p5_4*sin(q_P1)*cos(q_P4) +
-    //   ratio_q_P1_u_P4_of_place_28*cos(q_P1))
-    let ratio_q_P1_u_P4_of_place_51 = ratio_q_P1_u_P4_of_place_50
-        * ratio_q_P1_u_P4_of_place_28
-            .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_q_p3_q_p5_4 * sin_q_P1 * cos_q_P4);
-    // ratio_q_P1_u_P4_of_place_50*(ratio_q_P1_u_P4_of_place_16*sin(q_P3) -
-    //   ratio_q_P1_u_P4_of_q_p4_q_p5*sin(q_P2))
-    let ratio_q_P1_u_P4_of_place_52 = ratio_q_P1_u_P4_of_place_50
-        * (-ratio_q_P1_u_P4_of_q_p4_q_p5)
-            .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_16 * sin_q_P3);
-    // ratio_q_P1_u_P4_of_place_17*ratio_q_P1_u_P4_of_place_35 -
-    //   ratio_q_P1_u_P4_of_place_11*ratio_q_P1_u_P4_of_place_12
-    let ratio_q_P1_u_P4_of_place_53 = (-ratio_q_P1_u_P4_of_place_11)
+                ratio_q_P2_u_P1_of_place_35,
+                ratio_q_P2_u_P1_of_place_44 * ratio_q_P2_u_P1_of_place_45,
+            ) + ratio_q_P2_u_P1_of_place_46 * ratio_q_P2_u_P1_of_place_47
+            + ratio_q_P2_u_P1_of_place_4 * l_sq * ratio_q_P2_u_P1_of_place_48);
+    let ratio_q_P2_u_P1_of_place_50 = l_sq * ratio_q_P2_u_P1_of_place_49;
+    // ratio_q_P2_u_P1_of_place_20*ratio_q_P2_u_P1_of_place_26 +
+    //   ratio_q_P2_u_P1_of_place_14*ratio_q_P2_u_P1_of_place_29
+    let ratio_q_P2_u_P1_of_place_51 = ratio_q_P2_u_P1_of_place_14
         .mul_add(
-            ratio_q_P1_u_P4_of_place_12,
-            ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_of_place_35,
+            ratio_q_P2_u_P1_of_place_29,
+            ratio_q_P2_u_P1_of_place_20 * ratio_q_P2_u_P1_of_place_26,
         );
-    // l*(sin_q_p2_sin_q_p1*ratio_q_P1_u_P4_of_place_7 + ratio_q_P1_u_P4_of_place_25)
-    let ratio_q_P1_u_P4_of_place_54 = l
-        * sin_q_p2_sin_q_p1
-            .mul_add(ratio_q_P1_u_P4_of_place_7, ratio_q_P1_u_P4_of_place_25);
-    // ratio_q_P1_u_P4_of_place_17*ratio_q_P1_u_P4_of_place_54 -
-    //   ratio_q_P1_u_P4_of_place_12*ratio_q_P1_u_P4_of_place_15
-    let ratio_q_P1_u_P4_of_place_55 = (-ratio_q_P1_u_P4_of_place_12)
+    // sin_q_p2_sin_q_p1*ratio_q_P2_u_P1_of_place_15 + ratio_q_P2_u_P1_of_place_16*cos(q_P1)
+    let ratio_q_P2_u_P1_of_place_52 = ratio_q_P2_u_P1_of_place_16
+        .mul_add(cos_q_P1, sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_of_place_15);
+    // ratio_q_P2_u_P1_of_place_14*ratio_q_P2_u_P1_of_place_36 -
+    //   ratio_q_P2_u_P1_of_place_26*ratio_q_P2_u_P1_of_place_52
+    let ratio_q_P2_u_P1_of_place_53 = (-ratio_q_P2_u_P1_of_place_26)
         .mul_add(
-            ratio_q_P1_u_P4_of_place_15,
-            ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_of_place_54,
+            ratio_q_P2_u_P1_of_place_52,
+            ratio_q_P2_u_P1_of_place_14 * ratio_q_P2_u_P1_of_place_36,
         );
-    // ratio_q_P1_u_P4_of_place_15*ratio_q_P1_u_P4_of_place_35 -
-    //   ratio_q_P1_u_P4_of_place_11*ratio_q_P1_u_P4_of_place_54
-    let ratio_q_P1_u_P4_of_place_56 = (-ratio_q_P1_u_P4_of_place_11)
+    // ratio_q_P2_u_P1_of_place_21*ratio_q_P2_u_P1_of_place_36 +
+    //   ratio_q_P2_u_P1_of_place_30*ratio_q_P2_u_P1_of_place_52
+    let ratio_q_P2_u_P1_of_place_54 = ratio_q_P2_u_P1_of_place_30
         .mul_add(
-            ratio_q_P1_u_P4_of_place_54,
-            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_35,
+            ratio_q_P2_u_P1_of_place_52,
+            ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_of_place_36,
         );
-    let ratio_q_P1_u_P4_of_place_57 = cos_q_p3_cos_q_p1 * cos_q_P4;
-    // ratio_q_P1_u_P4_of_place_50*(ratio_q_P1_u_P4_of_place_28*sin(q_P1) -
-    //   ratio_q_P1_u_P4_of_q_p5_2*ratio_q_P1_u_P4_of_place_57)
-    let ratio_q_P1_u_P4_of_place_58 = ratio_q_P1_u_P4_of_place_50
-        * (-ratio_q_P1_u_P4_of_q_p5_2)
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_57,
-                ratio_q_P1_u_P4_of_place_28 * sin_q_P1,
-            );
-    // 2 - sin(q_P5)
-    let ratio_q_P1_u_P4_of_q_p5_3 = S::int(2) - sin_q_P5;
-    // sin(q_P3) + cos_q_p3_cos_q_p5
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_5 = sin_q_P3 + cos_q_p3_cos_q_p5;
-    // cos(q_P5)*(ratio_q_P1_u_P4_of_place_57 - sin(q_P1)*(cos(q_P2)*sin(q_P4) +
-    //   sin_q_p2_cos_q_p4*sin(q_P3)))
-    let ratio_q_P1_u_P4_of_place_59 = cos_q_P5
-        * (ratio_q_P1_u_P4_of_place_57
-            - sin_q_P1 * sin_q_p2_cos_q_p4.mul_add(sin_q_P3, cos_q_P2 * sin_q_P4));
-    let ratio_q_P1_u_P4_of_place_60 = l_sq * ratio_q_P1_u_P4_of_place_50
-        * ratio_q_P1_u_P4_of_place_59;
-    let ratio_q_P1_u_P4_of_place_61 = ratio_q_P1_u_P4_of_place_60 * cos_q_P5;
-    // ratio_q_P1_u_P4 = l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    // ratio_q_P2_u_P1_of_place_49*(ratio_q_P2_u_P1_of_place_8*cos(q_P1) -
+    //   ratio_q_P2_u_P1_of_place_9*sin(q_P1))
+    let ratio_q_P2_u_P1_of_place_55 = ratio_q_P2_u_P1_of_place_49
+        * (-ratio_q_P2_u_P1_of_place_9)
+            .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_8 * cos_q_P1);
+    // ratio_q_P2_u_P1_of_place_50*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos_q_p3_cos_q_p1*sin(q_P2)) -
+    //   cos(q_P5)*(ratio_q_P2_u_P1_of_place_13*cos(q_P1) + cos_q_p3_sin_q_p1*sin(q_P4)))
+    let ratio_q_P2_u_P1_of_place_56 = ratio_q_P2_u_P1_of_place_50
+        * (sin_q_P5 * (-cos_q_p3_cos_q_p1).mul_add(sin_q_P2, sin_q_P1 * sin_q_P3)
+            - cos_q_P5
+                * cos_q_p3_sin_q_p1
+                    .mul_add(sin_q_P4, ratio_q_P2_u_P1_of_place_13 * cos_q_P1));
+    let ratio_q_P2_u_P1_of_place_57 = ratio_q_P2_u_P1_of_place_56 * cos_q_P5;
+    // ratio_q_P2_u_P1 = l^3*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1)))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
     //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
     //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
     //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
@@ -3336,112 +3459,624 @@ pub fn motion_variables<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) ->
     //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
     //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
     //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5))))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
-    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
-    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
-    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
     //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
     //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) +
-    //   l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-    //   1))*(l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) +
+    //   l^3*cos(q_P5)*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
+    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
+    //   cos(q_P2)*cos(q_P4))))*(sin(q_P5) - 1 + sin(q_P4)*(sin(q_P5) -
+    //   1))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
     //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) -
-    //   cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) -
-    //   cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) - cos(q_P2)*cos(q_P4)*(sin(q_P5) +
-    //   sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) +
-    //   cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
-    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-    //   sin(q_P4) - cos(q_P4)^2)))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
     //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
     //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
     //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
     //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
-    //   cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
-    //   - l^2*sin(q_P1)*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
+    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
+    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
+    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
     //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5))))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l*(cos(q_P1)*(1 +
+    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
+    //   - 1)))*(l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
+    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(l*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) - sin(q_P1)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*sin(q_P3)*cos(q_P4)))*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3)))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(l*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
+    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))) -
+    //   l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   - l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l*cos(q_P2)*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) -
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)))*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+    //   sin(q_P3)*sin(q_P5)))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
+    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
+    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
+    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))))
+    let ratio_q_P2_u_P1 = ratio_q_P2_u_P1_of_place_55
+        * ((-ratio_q_P2_u_P1_of_place_45)
+            .mul_add(
+                ratio_q_P2_u_P1_of_place_53,
+                ratio_q_P2_u_P1_of_place_35 * ratio_q_P2_u_P1_of_place_51,
+            ) - ratio_q_P2_u_P1_of_place_47 * ratio_q_P2_u_P1_of_place_54)
+        + ratio_q_P2_u_P1_of_place_4 * ratio_q_P2_u_P1_of_place_11 * ratio_q_P2_u_P1_of_place_50
+        + ratio_q_P2_u_P1_of_place_57 * (ratio_q_P2_u_P1_of_q_p4_q_p5_7 - ratio_q_P2_u_P1_of_q_p5);
+    // ratio_q_P2_u_P1_of_place_7*ratio_q_P2_u_P1_of_place_14 -
+    //   ratio_q_P2_u_P1_of_place_25*ratio_q_P2_u_P1_of_place_27
+    let ratio_q_P3_u_P1_of_place = (-ratio_q_P2_u_P1_of_place_25)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_27,
+            ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_of_place_14,
+        );
+    // ratio_q_P2_u_P1_of_place_20*ratio_q_P2_u_P1_of_place_22 +
+    //   ratio_q_P2_u_P1_of_place_27*ratio_q_P2_u_P1_of_place_29
+    let ratio_q_P3_u_P1_of_place_2 = ratio_q_P2_u_P1_of_place_27
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_29,
+            ratio_q_P2_u_P1_of_place_20 * ratio_q_P2_u_P1_of_place_22,
+        );
+    let ratio_q_P3_u_P1_of_place_3 = ratio_q_P2_u_P1_of_place_11 * ratio_q_P2_u_P1_of_place_49;
+    let ratio_q_P3_u_P1_of_place_4 = ratio_q_P2_u_P1_of_place_56 * cos_q_P4;
+    // ratio_q_P3_u_P1 = l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1)))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
+    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
+    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
+    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l*(cos(q_P1)*(1 +
+    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
+    //   - 1)))*(l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) -
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)))*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))) + l*(sin(q_P2)*sin(q_P4)*(1 -
+    //   sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) + cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1)
+    //   + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) -
+    //   l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))^2) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+    //   sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) -
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)))*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
+    //   1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
+    //   l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5))
+    //   + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
+    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
+    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
+    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) +
+    //   l^3*cos(q_P4)*(cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
+    //   cos(q_P2)*cos(q_P4))) - sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)))*(sin(q_P5)
+    //   - 1 + sin(q_P3)*(1 - sin(q_P5)) + cos(q_P5)*(cos(q_P5)*(1 - sin(q_P3)) + cos(q_P3)*(sin(q_P5) -
+    //   1)))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
+    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
+    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
+    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))))
+    let ratio_q_P3_u_P1 = ratio_q_P2_u_P1_of_place_55
+        * (ratio_q_P2_u_P1_of_place_45
+            .mul_add(
+                ratio_q_P3_u_P1_of_place,
+                ratio_q_P2_u_P1_of_place_48 * ratio_q_P2_u_P1_of_place_51,
+            ) + ratio_q_P2_u_P1_of_place_47 * ratio_q_P3_u_P1_of_place_2)
+        + ratio_q_P2_u_P1_of_place_34 * ratio_q_P3_u_P1_of_place_3
+        + ratio_q_P3_u_P1_of_place_4
+            * ((-ratio_q_P2_u_P1_of_q_p3_q_p5_3)
+                .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_q_p5) + ratio_q_P2_u_P1_of_q_p3_q_p5_4);
+    // ratio_q_P2_u_P1_of_place_22*ratio_q_P2_u_P1_of_place_52 -
+    //   ratio_q_P2_u_P1_of_place_9*ratio_q_P2_u_P1_of_place_26*cos_q_p2_sin_q_p1
+    let ratio_q_P4_u_P1_of_place = (-(ratio_q_P2_u_P1_of_place_9 * ratio_q_P2_u_P1_of_place_26))
+        .mul_add(
+            cos_q_p2_sin_q_p1,
+            ratio_q_P2_u_P1_of_place_22 * ratio_q_P2_u_P1_of_place_52,
+        );
+    // ratio_q_P4_u_P1 = l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
     //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
     //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
     //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
@@ -3463,68 +4098,112 @@ pub fn motion_variables<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) ->
     //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
     //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
     //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5))))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5)
+    //   - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
     //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) -
-    //   l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
-    //   cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) -
-    //   l*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
+    //   1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
+    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
+    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
+    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l*(cos(q_P1)*(1 +
+    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
+    //   - 1)))*(l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5)
+    //   + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
     //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)))) +
     //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
     //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
@@ -3540,713 +4219,66 @@ pub fn motion_variables<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) ->
     //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) - l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
     //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
     //   1))))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)))))/(l*(sin(q_P1)*(1 +
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
-    //   - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1
-    //   - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
-    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
-    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
-    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) +
-    //   l^3*cos(q_P5)^2*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
-    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(sin(q_P3) - sin(q_P5) + cos(q_P3)*cos(q_P5) +
-    //   sin(q_P4)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P4)*(sin(q_P5) - 1) + sin(q_P3)*(2 - sin(q_P5) -
-    //   sin(q_P4)*(sin(q_P5) - 1))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
-    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
-    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
-    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))))))
-    let ratio_q_P1_u_P4 = ratio_q_P1_u_P4_of_place_52
-        * ((-ratio_q_P1_u_P4_of_place_13)
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_41,
-                ratio_q_P1_u_P4_of_place_22 * ratio_q_P1_u_P4_of_place_47,
-            ) - ratio_q_P1_u_P4_of_place_26 * ratio_q_P1_u_P4_of_place_44)
-        + ratio_q_P1_u_P4_of_place_27 * ratio_q_P1_u_P4_of_place_51
-        + ratio_q_P1_u_P4_of_place_58
-            * ((-ratio_q_P1_u_P4_of_place_41)
-                .mul_add(
-                    ratio_q_P1_u_P4_of_place_53,
-                    ratio_q_P1_u_P4_of_place_45 * ratio_q_P1_u_P4_of_place_55,
-                ) - ratio_q_P1_u_P4_of_place_48 * ratio_q_P1_u_P4_of_place_56)
-        + ratio_q_P1_u_P4_of_place_61
-            * (sin_q_P5
-                + sin_q_P4
-                    * (ratio_q_P1_u_P4_of_q_p3_q_p5 - ratio_q_P1_u_P4_of_q_p4_q_p5
-                        + sin_q_P3 * (ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p5_3))
-                - ratio_q_P1_u_P4_of_q_p3_q_p5_5);
-    let ratio_q_P2_u_P4_of_place = l_sq * ratio_q_P1_u_P4_of_place_33;
-    // -sin(q_P4)*(ratio_q_P1_u_P4_of_q_p5 + ratio_q_P1_u_P4_of_q_p5_2*sin(q_P2)) - ratio_q_P1_u_P4_of_q_p2
-    let ratio_q_P2_u_P4_of_place_2 = -sin_q_P4
-        * ratio_q_P1_u_P4_of_q_p5_2.mul_add(sin_q_P2, ratio_q_P1_u_P4_of_q_p5)
-        - ratio_q_P1_u_P4_of_q_p2;
-    // ratio_q_P2_u_P4 = l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-    //   1)))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1
-    //   + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
-    //   - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) -
-    //   cos(q_P2)*cos(q_P4))))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
-    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
-    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
-    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) -
-    //   l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-    //   1))*(l^2*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) -
-    //   cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) -
-    //   cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) - cos(q_P2)*cos(q_P4)*(sin(q_P5) +
-    //   sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) +
-    //   cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
-    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-    //   sin(q_P4) - cos(q_P4)^2)))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-    //   sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) -
-    //   cos(q_P2)*cos(q_P4))))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
-    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
-    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
-    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) +
-    //   l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-    //   sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4)))) + l^2*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) +
-    //   cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4))) - sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-    //   cos(q_P1)*sin(q_P2)*cos(q_P3))) + l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) -
-    //   l*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)))))/(l*(sin(q_P1)*(1 +
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
-    //   - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1
-    //   - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
-    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
-    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
-    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) +
-    //   l^3*cos(q_P5)^2*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
-    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P3)*(cos(q_P2)*(2 - sin(q_P5) - sin(q_P4)*(sin(q_P5) - 2)) +
-    //   cos(q_P4)*(sin(q_P2) - 1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   sin(q_P2)*(1 - sin(q_P5))))) - sin(q_P3)*cos(q_P5)*(cos(q_P4)*(sin(q_P2) - 1) + cos(q_P2)*(1 +
-    //   sin(q_P4))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5)
-    //   - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) -
-    //   cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) -
-    //   cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) - cos(q_P2)*cos(q_P4)*(sin(q_P5) +
-    //   sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) +
-    //   cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
-    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
-    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))))))
-    let ratio_q_P2_u_P4 = -ratio_q_P1_u_P4_of_place_52
-        * (ratio_q_P1_u_P4_of_place_36
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_40,
-                ratio_q_P1_u_P4_of_place_22 * ratio_q_P1_u_P4_of_place_31,
-            ) + ratio_q_P1_u_P4_of_place_42 * ratio_q_P1_u_P4_of_place_44)
-        + ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_of_place_51
-        + ratio_q_P1_u_P4_of_place_58
-            * (ratio_q_P2_u_P4_of_place
-                * (-ratio_q_P1_u_P4_of_place_11)
-                    .mul_add(
-                        ratio_q_P1_u_P4_of_place_40,
-                        ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_44,
-                    ) + ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_of_place_56)
-        + ratio_q_P1_u_P4_of_place_61
-            * (sin_q_p3_cos_q_p5
-                * ratio_q_P1_u_P4_of_q_p2_2
-                    .mul_add(cos_q_P4, ratio_q_P1_u_P4_of_q_p4 * cos_q_P2)
-                - cos_q_P3
-                    * (cos_q_P2
-                        * ratio_q_P1_u_P4_of_q_p5_3
-                            .mul_add(sin_q_P4, ratio_q_P1_u_P4_of_q_p5_3)
-                        + cos_q_P4
-                            * (ratio_q_P1_u_P4_of_place_16 + ratio_q_P2_u_P4_of_place_2)));
-    // ratio_q_P3_u_P4 = l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-    //   1)))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5))))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
-    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
-    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
-    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) +
-    //   l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-    //   1))*(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+    //   sin(q_P3)*sin(q_P5)))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
     //   cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) -
-    //   l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
     //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
     //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
-    //   cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 +
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
-    //   - 1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-    //   sin(q_P3)*sin(q_P5)) + cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))) - cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) +
-    //   cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) -
-    //   1)))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) -
-    //   cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) -
-    //   cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) - cos(q_P2)*cos(q_P4)*(sin(q_P5) +
-    //   sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) +
-    //   cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
+    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
     //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
     //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
     //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
@@ -4260,167 +4292,85 @@ pub fn motion_variables<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) ->
     //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
     //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
     //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
     //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
     //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) +
-    //   l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P2)*cos(q_P4)*(1 -
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) +
+    //   l^3*cos(q_P5)*(cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
+    //   cos(q_P2)*cos(q_P4))) - sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)))*(sin(q_P3)
+    //   - sin(q_P5) + cos(q_P3)*cos(q_P5) + sin(q_P4)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P3)*(2 - sin(q_P5) - sin(q_P4)*(sin(q_P5) - 1))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 -
     //   sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4)))) + l^2*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
     //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4)))) + l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))^2))/(l*(sin(q_P1)*(1 +
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
-    //   - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1
-    //   - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
-    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
-    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
-    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
     //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
     //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
     //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
     //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
     //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
     //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
     //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) +
-    //   l^3*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) - sin(q_P1)*(cos(q_P2)*sin(q_P4) +
-    //   sin(q_P2)*sin(q_P3)*cos(q_P4)))*(cos(q_P5)*(1 - sin(q_P3)^2*sin(q_P5) +
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P4)*(sin(q_P4)*(sin(q_P5) - 1) +
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1) +
-    //   sin(q_P3)*(cos(q_P3)*cos(q_P5) - 1 + cos(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1)) + sin(q_P2)*(3 - sin(q_P3) - sin(q_P5) - cos(q_P3)*cos(q_P5) -
-    //   sin(q_P4)*(sin(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P5)))))) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 -
-    //   sin(q_P5) + sin(q_P3)*(1 + sin(q_P3)*sin(q_P5)))) + cos(q_P3)*sin(q_P5)*(sin(q_P2) - 1 +
-    //   cos(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P3)*(1 - sin(q_P2) - sin(q_P4)*(sin(q_P5) - 1 +
-    //   sin(q_P2)*(1 - sin(q_P5))))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
     //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
     //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
     //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
@@ -4440,217 +4390,117 @@ pub fn motion_variables<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) ->
     //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
     //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
     //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
     //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
     //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))))))
-    let ratio_q_P3_u_P4 = ratio_q_P1_u_P4_of_place_52
-        * ((-ratio_q_P1_u_P4_of_place_37)
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_44,
-                ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_32,
-            ) + ratio_q_P1_u_P4_of_place_36 * ratio_q_P1_u_P4_of_place_47)
-        + ratio_q_P1_u_P4_of_place_38 * ratio_q_P1_u_P4_of_place_51
-        + ratio_q_P1_u_P4_of_place_58
-            * (ratio_q_P2_u_P4_of_place
-                * ratio_q_P1_u_P4_of_place_11
-                    .mul_add(
-                        ratio_q_P1_u_P4_of_place_47,
-                        ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_of_place_44,
-                    ) + ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_of_place_53)
-        + ratio_q_P1_u_P4_of_place_60
-            * (cos_q_P5
-                * (S::int(1) - sin_q_p3_sin_q_p5 * sin_q_P3
-                    + sin_q_P2
-                        * (sin_q_P3 * (S::int(1) + sin_q_p3_sin_q_p5) - sin_q_P5
-                            - ratio_q_P1_u_P4_of_q_p3_q_p5) + ratio_q_P1_u_P4_of_place_16
-                    + sin_q_P4
-                        * (ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5 * sin_q_P2
-                            + ratio_q_P1_u_P4_of_place_16
-                            - sin_q_P3
-                                * (ratio_q_P1_u_P4_of_place_2 + ratio_q_P1_u_P4_of_place_16
-                                    + sin_q_P2
-                                        * (sin_q_P5 - S::int(3)
-                                            - sin_q_P4
-                                                * (ratio_q_P1_u_P4_of_q_p5 + ratio_q_P1_u_P4_of_q_p3_q_p5_2)
-                                            + ratio_q_P1_u_P4_of_q_p3_q_p5_5))))
-                - cos_q_p3_sin_q_p5
-                    * ratio_q_P2_u_P4_of_place_2
-                        .mul_add(
-                            sin_q_P3,
-                            ratio_q_P1_u_P4_of_place_16 + ratio_q_P1_u_P4_of_q_p2,
-                        ));
-    // ratio_q_P1_u_P4_of_place_17*ratio_q_P1_u_P4_of_place_40 +
-    //   ratio_q_P1_u_P4_of_place_15*ratio_q_P1_u_P4_of_place_47
-    let ratio_q_P5_u_P4_of_place = ratio_q_P1_u_P4_of_place_15
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_47,
-            ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_of_place_40,
-        );
-    // ratio_q_P5_u_P4 = l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-    //   1)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-    //   sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))/(l*(sin(q_P1)*(1 +
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
-    //   - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1
-    //   - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
-    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
-    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
-    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
-    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
-    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) +
-    //   l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
-    //   1))*(l^2*sin(q_P1)*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))))
+    let ratio_q_P4_u_P1 = ratio_q_P2_u_P1_of_place_57
+        * (sin_q_P5 - sin_q_P3 - cos_q_p3_cos_q_p5
+            - sin_q_P4
+                * (ratio_q_P2_u_P1_of_q_p4_q_p5_7 - ratio_q_P2_u_P1_of_q_p3_q_p5
+                    + sin_q_P3 * (S::int(2) - ratio_q_P2_u_P1_of_q_p4_q_p5_13)))
+        + ratio_q_P2_u_P1_of_place_44 * ratio_q_P3_u_P1_of_place_3
+        + ratio_q_P2_u_P1_of_place_55
+            * (ratio_q_P2_u_P1_of_place_35
+                .mul_add(
+                    ratio_q_P3_u_P1_of_place,
+                    ratio_q_P2_u_P1_of_place_48 * ratio_q_P2_u_P1_of_place_53,
+                ) - ratio_q_P2_u_P1_of_place_47 * ratio_q_P4_u_P1_of_place);
+    // ratio_q_P5_u_P1 = l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
     //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
     //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) +
-    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5))))) +
-    //   l^2*cos(q_P1)^2*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
-    //   sin(q_P3)*sin(q_P5) + sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))
-    //   + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
-    //   cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))))))/(l*(sin(q_P1)*(1 +
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
-    //   - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1
-    //   - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
+    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) -
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
     //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
     //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
     //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
@@ -4668,179 +4518,106 @@ pub fn motion_variables<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) ->
     //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
     //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
     //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
     //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
     //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) -
-    //   l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) + sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1)))*(l^2*cos(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) +
-    //   cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4)))) + l^2*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) -
-    //   cos(q_P1)*sin(q_P2)*cos(q_P3)) - cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) +
-    //   cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) - cos(q_P2)*cos(q_P4)))) + l*(sin(q_P1)*(1 +
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l*(cos(q_P1)*(1 +
     //   cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
-    //   - 1)))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
+    //   - 1)))*(l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) -
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)))*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) -
+    //   sin(q_P3)*sin(q_P5)))) + l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P5)*(cos(q_P1)*cos(q_P3)*cos(q_P4) -
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)))*(cos(q_P2)*cos(q_P4)*(sin(q_P5) -
+    //   1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
+    //   l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
     //   sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
     //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5))) -
     //   l*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) + cos(q_P2)*(cos(q_P3)*sin(q_P5) +
     //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))))/(l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   1))))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
     //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) -
-    //   cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) -
-    //   cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) - cos(q_P2)*cos(q_P4)*(sin(q_P5) +
-    //   sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) +
-    //   cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
-    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
-    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
-    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
-    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
     //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
     //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
     //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
     //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
     //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
     //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
     //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))) +
-    //   cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
-    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(l^3*cos(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(sin(q_P2)*cos(q_P4)*(1
-    //   - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
-    //   l^3*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
-    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) - sin(q_P1)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) -
-    //   1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) +
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1)))) + l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) -
-    //   cos(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))))/(l*(sin(q_P1)*(1 +
-    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1)
-    //   - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1
-    //   - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
     //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
     //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
     //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
@@ -4858,100 +4635,155 @@ pub fn motion_variables<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) ->
     //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
     //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
     //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
     //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
     //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))))))
-    let ratio_q_P5_u_P4 = ratio_q_P1_u_P4_of_place_52
-        * (ratio_q_P1_u_P4_of_place_37
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_40,
-                ratio_q_P1_u_P4_of_place_26 * ratio_q_P1_u_P4_of_place_31,
-            ) + ratio_q_P1_u_P4_of_place_42 * ratio_q_P1_u_P4_of_place_47)
-        + ratio_q_P1_u_P4_of_place_43 * ratio_q_P1_u_P4_of_place_51
-        - ratio_q_P1_u_P4_of_place_49 * ratio_q_P1_u_P4_of_place_59
-            * (ratio_q_P1_u_P4_of_place_32
-                * (-ratio_q_P1_u_P4_of_place_17 * l_sq
-                    * (-sin_q_p2_sin_q_p1)
-                        .mul_add(
-                            ratio_q_P1_u_P4_of_place_14,
-                            ratio_q_P1_u_P4_of_place_39 * cos_q_P1,
-                        )
-                    + ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_of_place_15 * sin_q_p1_l_sq)
-                + l * l_sq * ratio_q_P1_u_P4_of_place_34 * ratio_q_P5_u_P4_of_place)
-        - ratio_q_P1_u_P4_of_place_58
-            * ratio_q_P2_u_P4_of_place
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))) +
+    //   l^3*cos(q_P4)*(cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
+    //   cos(q_P2)*cos(q_P4))) - sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)))*(sin(q_P3)
+    //   - 1 + cos(q_P3)*cos(q_P5) + sin(q_P5)*(1 - sin(q_P3) - cos(q_P3)*cos(q_P5)) + sin(q_P4)*(2*sin(q_P5)
+    //   - 2 + cos(q_P5)^2 + sin(q_P3)*(2 - 2*sin(q_P5) -
+    //   cos(q_P5)^2)))/(l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5)
+    //   - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
+    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
+    //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
+    //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
+    //   1) - 1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))))
+    let ratio_q_P5_u_P1 = ratio_q_P3_u_P1_of_place_4
+        * (sin_q_P4 * ratio_q_P2_u_P1_of_q_p5_3.mul_add(sin_q_P3, ratio_q_P2_u_P1_of_q_p5_2)
+            + ratio_q_P2_u_P1_of_q_p5 * (ratio_q_P2_u_P1_of_q_p3_q_p5 - sin_q_P3))
+        + ratio_q_P2_u_P1_of_place_46 * ratio_q_P3_u_P1_of_place_3
+        + ratio_q_P2_u_P1_of_place_55
+            * (ratio_q_P2_u_P1_of_place_35
                 .mul_add(
-                    ratio_q_P5_u_P4_of_place,
-                    ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_of_place_55,
-                );
+                    ratio_q_P3_u_P1_of_place_2,
+                    ratio_q_P2_u_P1_of_place_48 * ratio_q_P2_u_P1_of_place_54,
+                ) + ratio_q_P2_u_P1_of_place_45 * ratio_q_P4_u_P1_of_place);
     // Values.
-    // q_P1' = -u_P4*ratio_q_P1_u_P4
-    let q_P1_dot_value = -u_P4 * ratio_q_P1_u_P4;
-    // q_P2' = u_P4*ratio_q_P2_u_P4
-    let q_P2_dot_value = u_P4 * ratio_q_P2_u_P4;
-    // q_P3' = -u_P4*ratio_q_P3_u_P4
-    let q_P3_dot_value = -u_P4 * ratio_q_P3_u_P4;
-    // q_P4' = u_P4
-    let q_P4_dot_value = u_P4;
-    // q_P5' = -u_P4*ratio_q_P5_u_P4
-    let q_P5_dot_value = -u_P4 * ratio_q_P5_u_P4;
+    // q_P1' = u_P1
+    let q_P1_dot_value = u_P1;
+    // q_P2' = u_P1*ratio_q_P2_u_P1
+    let q_P2_dot_value = u_P1 * ratio_q_P2_u_P1;
+    // q_P3' = u_P1*ratio_q_P3_u_P1
+    let q_P3_dot_value = u_P1 * ratio_q_P3_u_P1;
+    // q_P4' = -u_P1*ratio_q_P4_u_P1
+    let q_P4_dot_value = -u_P1 * ratio_q_P4_u_P1;
+    // q_P5' = -u_P1*ratio_q_P5_u_P1
+    let q_P5_dot_value = -u_P1 * ratio_q_P5_u_P1;
     [q_P1_dot_value, q_P2_dot_value, q_P3_dot_value, q_P4_dot_value, q_P5_dot_value]
 }
 
 /// What the equations divide by: where one of these is zero, they have no value.
 ///
-/// 195 operations, 5 sines and cosines.
+/// 274 operations, 5 sines and cosines.
 #[must_use]
 pub fn divisors<S: Scalar>(p: &Parameters<S>, q: &[S; 5], _q_dot: &[S; 5]) -> [S; 1] {
     let Parameters { l, .. } = *p;
@@ -4973,162 +4805,307 @@ pub fn divisors<S: Scalar>(p: &Parameters<S>, q: &[S; 5], _q_dot: &[S; 5]) -> [S
     let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
     // divisor1_of_q_p4_q_p5_2*cos(q_P3) + sin_q_p3_cos_q_p5
     let divisor1_of_place = divisor1_of_q_p4_q_p5_2.mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
-    let divisor1_of_place_2 = divisor1_of_place * cos_q_P2;
-    let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
-    let sin_q_p2_cos_q_p3 = sin_q_P2 * cos_q_P3;
-    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
-    // sin(q_P2)*sin(q_P3)*sin(q_P4) - cos_q_p2_cos_q_p4
-    let divisor1_of_place_3 = (sin_q_P2 * sin_q_P3)
-        .mul_add(sin_q_P4, -cos_q_p2_cos_q_p4);
-    let cos_q_p3_sin_q_p4 = cos_q_P3 * sin_q_P4;
-    // cos(q_P5)*(sin_q_p3_cos_q_p1 + sin_q_p2_cos_q_p3*sin(q_P1)) + sin(q_P5)*(cos_q_p3_sin_q_p4*cos(q_P1)
-    //   - divisor1_of_place_3*sin(q_P1))
-    let divisor1_of_place_4 = cos_q_P5 * sin_q_p2_cos_q_p3.mul_add(sin_q_P1, sin_q_p3_cos_q_p1)
-        + sin_q_P5 * (-divisor1_of_place_3).mul_add(sin_q_P1, cos_q_p3_sin_q_p4 * cos_q_P1);
     let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
     // divisor1_of_q_p4_q_p5_2*sin(q_P3) - cos_q_p3_cos_q_p5
-    let divisor1_of_place_5 = divisor1_of_q_p4_q_p5_2
+    let divisor1_of_place_2 = divisor1_of_q_p4_q_p5_2
         .mul_add(sin_q_P3, -cos_q_p3_cos_q_p5);
-    // -1 - divisor1_of_place_5
-    let divisor1_of_place_6 = -S::int(1) - divisor1_of_place_5;
-    // minus_divisor1_of_q_p5*cos_q_p2_cos_q_p4 + divisor1_of_place_6*sin(q_P2)
-    let divisor1_of_place_7 = divisor1_of_place_6
-        .mul_add(sin_q_P2, minus_divisor1_of_q_p5 * cos_q_p2_cos_q_p4);
-    // 1 + divisor1_of_place_7
-    let divisor1_of_place_8 = S::int(1) + divisor1_of_place_7;
-    // sin(q_P3)*sin(q_P5) - cos_q_p3_cos_q_p5*sin(q_P4)
-    let divisor1_of_place_9 = (-cos_q_p3_cos_q_p5)
-        .mul_add(sin_q_P4, sin_q_P3 * sin_q_P5);
-    // -divisor1_of_place_9
-    let divisor1_of_place_10 = -divisor1_of_place_9;
-    // cos(q_P3)*sin(q_P5) + sin_q_p3_cos_q_p5*sin(q_P4)
-    let divisor1_of_place_11 = sin_q_p3_cos_q_p5.mul_add(sin_q_P4, cos_q_P3 * sin_q_P5);
-    // cos_q_p2_cos_q_p4*cos(q_P5) - divisor1_of_place_11*sin(q_P2)
-    let divisor1_of_place_12 = (-divisor1_of_place_11)
-        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
-    // l*(divisor1_of_place_10*cos(q_P1) + divisor1_of_place_12*sin(q_P1))
-    let divisor1_of_place_13 = l
-        * divisor1_of_place_12.mul_add(sin_q_P1, divisor1_of_place_10 * cos_q_P1);
-    // l*(l*divisor1_of_place_4*(divisor1_of_place_8*cos(q_P1) - divisor1_of_place*sin(q_P1)) +
-    //   divisor1_of_place_13*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - sin_q_p2_cos_q_p3*cos(q_P1)) -
-    //   cos(q_P5)*(divisor1_of_place_3*cos(q_P1) + cos_q_p3_sin_q_p4*sin(q_P1))))
-    let divisor1_of_place_14 = l
-        * (l * divisor1_of_place_4
-            * (-divisor1_of_place).mul_add(sin_q_P1, divisor1_of_place_8 * cos_q_P1)
-            + divisor1_of_place_13
-                * (sin_q_P5 * (-sin_q_p2_cos_q_p3).mul_add(cos_q_P1, sin_q_P1 * sin_q_P3)
-                    - cos_q_P5
-                        * cos_q_p3_sin_q_p4
-                            .mul_add(sin_q_P1, divisor1_of_place_3 * cos_q_P1)));
+    // -1 - divisor1_of_place_2
+    let divisor1_of_place_3 = -S::int(1) - divisor1_of_place_2;
+    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
+    // divisor1_of_place_3*sin(q_P2) + minus_divisor1_of_q_p5*cos_q_p2_cos_q_p4
+    let divisor1_of_place_4 = minus_divisor1_of_q_p5
+        .mul_add(cos_q_p2_cos_q_p4, divisor1_of_place_3 * sin_q_P2);
     let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
-    let divisor1_of_place_15 = divisor1_of_place_11 * cos_q_P2;
-    // sin_q_p2_cos_q_p4*cos(q_P5) + divisor1_of_place_15
-    let divisor1_of_place_16 = sin_q_p2_cos_q_p4.mul_add(cos_q_P5, divisor1_of_place_15);
+    let cos_q_p2_sin_q_p4 = cos_q_P2 * sin_q_P4;
+    let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
+    let divisor1_of_place_5 = cos_q_p3_cos_q_p1 * cos_q_P4;
+    // cos_q_p3_cos_q_p5*sin(q_P4) - sin(q_P3)*sin(q_P5)
+    let divisor1_of_place_6 = (-sin_q_P3)
+        .mul_add(sin_q_P5, cos_q_p3_cos_q_p5 * sin_q_P4);
+    // cos(q_P3)*sin(q_P5) + sin_q_p3_cos_q_p5*sin(q_P4)
+    let divisor1_of_place_7 = sin_q_p3_cos_q_p5.mul_add(sin_q_P4, cos_q_P3 * sin_q_P5);
+    // cos_q_p2_cos_q_p4*cos(q_P5) - divisor1_of_place_7*sin(q_P2)
+    let divisor1_of_place_8 = (-divisor1_of_place_7)
+        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
+    // divisor1_of_place_6*cos(q_P1) + divisor1_of_place_8*sin(q_P1)
+    let divisor1_of_place_9 = divisor1_of_place_8
+        .mul_add(sin_q_P1, divisor1_of_place_6 * cos_q_P1);
+    let divisor1_of_q_p3_q_p5 = minus_divisor1_of_q_p5 * sin_q_P3;
+    let divisor1_of_place_10 = divisor1_of_q_p4_q_p5 * cos_q_P2;
+    // sin_q_p2_cos_q_p4*divisor1_of_q_p3_q_p5 + divisor1_of_place_10
+    let divisor1_of_place_11 = sin_q_p2_cos_q_p4
+        .mul_add(divisor1_of_q_p3_q_p5, divisor1_of_place_10);
+    let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
+    let sin_q_p2_sin_q_p1 = sin_q_P1 * sin_q_P2;
+    // sin(q_P5)*(cos_q_p3_cos_q_p1*sin(q_P4) - sin(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
+    //   cos_q_p2_cos_q_p4)) + cos(q_P5)*(sin_q_p3_cos_q_p1 + sin_q_p2_sin_q_p1*cos(q_P3))
+    let divisor1_of_place_12 = sin_q_P5
+        * (-sin_q_P1 * (sin_q_P2 * sin_q_P3).mul_add(sin_q_P4, -cos_q_p2_cos_q_p4)
+            + cos_q_p3_cos_q_p1 * sin_q_P4)
+        + cos_q_P5 * sin_q_p2_sin_q_p1.mul_add(cos_q_P3, sin_q_p3_cos_q_p1);
+    // cos_q_p2_cos_q_p4*divisor1_of_q_p3_q_p5 - divisor1_of_q_p4_q_p5*sin(q_P2)
+    let divisor1_of_place_13 = (-divisor1_of_q_p4_q_p5)
+        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * divisor1_of_q_p3_q_p5);
+    let divisor1_of_place_14 = minus_divisor1_of_q_p5 * sin_q_p2_cos_q_p4;
+    // divisor1_of_place_3*cos(q_P2) - divisor1_of_place_14
+    let divisor1_of_place_15 = divisor1_of_place_3
+        .mul_add(cos_q_P2, -divisor1_of_place_14);
+    let divisor1_of_place_16 = divisor1_of_place_7 * cos_q_P2;
+    // sin_q_p2_cos_q_p4*cos(q_P5) + divisor1_of_place_16
+    let divisor1_of_place_17 = sin_q_p2_cos_q_p4.mul_add(cos_q_P5, divisor1_of_place_16);
+    // l^2*sin(q_P1)*(divisor1_of_place_12*divisor1_of_place_15 - divisor1_of_place_9*divisor1_of_place_17)
+    let divisor1_of_place_18 = l * l * sin_q_P1
+        * (-divisor1_of_place_9)
+            .mul_add(divisor1_of_place_17, divisor1_of_place_12 * divisor1_of_place_15);
     let l_sq = l * l;
-    // sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(cos_q_p3_cos_q_p5 - divisor1_of_q_p5)
-    let divisor1_of_place_17 = sin_q_P5 * (S::int(1) - sin_q_P3)
-        + sin_q_P4 * (cos_q_p3_cos_q_p5 - divisor1_of_q_p5);
-    // minus_divisor1_of_q_p5*sin(q_P3) + cos_q_p3_cos_q_p5
-    let divisor1_of_q_p3_q_p5 = minus_divisor1_of_q_p5
-        .mul_add(sin_q_P3, cos_q_p3_cos_q_p5);
-    // divisor1_of_place_17*cos(q_P2) + sin_q_p2_cos_q_p4*divisor1_of_q_p3_q_p5
-    let divisor1_of_place_18 = sin_q_p2_cos_q_p4
-        .mul_add(divisor1_of_q_p3_q_p5, divisor1_of_place_17 * cos_q_P2);
-    // 1 - sin(q_P2)
-    let divisor1_of_q_p2 = S::int(1) - sin_q_P2;
-    // -cos(q_P1)*(sin(q_P1)*(divisor1_of_place_9 + divisor1_of_place_10*sin(q_P2) +
-    //   divisor1_of_place_18*cos(q_P2)) + cos(q_P1)*(cos(q_P3)*(cos_q_p2_cos_q_p4 +
-    //   sin(q_P5)*(divisor1_of_q_p2 - cos_q_p2_cos_q_p4)) + sin_q_p3_cos_q_p5*(cos_q_p2_cos_q_p4 +
-    //   divisor1_of_q_p2*sin(q_P4))))
-    let divisor1_of_place_19 = -cos_q_P1
-        * (sin_q_P1
-            * (divisor1_of_place_10.mul_add(sin_q_P2, divisor1_of_place_9)
-                + divisor1_of_place_18 * cos_q_P2)
-            + cos_q_P1
-                * (cos_q_P3
-                    * (cos_q_p2_cos_q_p4 + sin_q_P5 * (divisor1_of_q_p2 - cos_q_p2_cos_q_p4))
-                    + sin_q_p3_cos_q_p5 * divisor1_of_q_p2.mul_add(sin_q_P4, cos_q_p2_cos_q_p4)));
-    // l*(divisor1_of_place_6*cos(q_P2) - minus_divisor1_of_q_p5*sin_q_p2_cos_q_p4)
-    let divisor1_of_place_20 = l
-        * (-minus_divisor1_of_q_p5)
-            .mul_add(sin_q_p2_cos_q_p4, divisor1_of_place_6 * cos_q_P2);
-    let divisor1_of_place_7_l_sq = divisor1_of_place_7 * l_sq;
+    let divisor1_of_place_19 = divisor1_of_place_17 * l_sq;
+    // sin(q_P3) - 1
+    let divisor1_of_q_p3 = sin_q_P3 - S::int(1);
     let divisor1_of_q_p3_q_p5_2 = minus_divisor1_of_q_p5 * cos_q_P3;
-    // l_sq*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(divisor1_of_q_p2 - sin(q_P3)) + divisor1_of_q_p3_q_p5_2) -
-    //   divisor1_of_q_p3_q_p5*sin(q_P1)*sin(q_P2)) - cos(q_P2)*(divisor1_of_place_11*cos(q_P1) +
-    //   divisor1_of_place_17*sin(q_P1)))
-    let divisor1_of_place_21 = l_sq
-        * (cos_q_P4
-            * (cos_q_P1 * (cos_q_P5 * (divisor1_of_q_p2 - sin_q_P3) + divisor1_of_q_p3_q_p5_2)
-                - divisor1_of_q_p3_q_p5 * sin_q_P1 * sin_q_P2)
-            - cos_q_P2
-                * divisor1_of_place_17
-                    .mul_add(sin_q_P1, divisor1_of_place_11 * cos_q_P1));
-    let divisor1_of_place_22 = divisor1_of_place * cos_q_P1;
-    let divisor1_of_place_23 = divisor1_of_place_16 * sin_q_P1;
+    let cos_q_p2_sin_q_p1 = sin_q_P1 * cos_q_P2;
+    let divisor1_of_place_20 = divisor1_of_q_p4_q_p5 * cos_q_p2_sin_q_p1;
+    // cos_q_p2_sin_q_p1*(sin(q_P1)*cos(q_P5)*(cos_q_p2_sin_q_p4 - sin(q_P3)*(cos_q_p2_sin_q_p4 +
+    //   sin_q_p2_cos_q_p4*divisor1_of_q_p3)) + cos(q_P3)*(cos(q_P4)*(divisor1_of_q_p3_q_p5*sin_q_p2_sin_q_p1
+    //   - cos(q_P1)*(divisor1_of_q_p3_q_p5_2 - divisor1_of_q_p3*cos(q_P5))) + divisor1_of_place_20))
+    let divisor1_of_place_21 = cos_q_p2_sin_q_p1
+        * (sin_q_P1 * cos_q_P5
+            * (cos_q_p2_sin_q_p4
+                - sin_q_P3 * sin_q_p2_cos_q_p4.mul_add(divisor1_of_q_p3, cos_q_p2_sin_q_p4))
+            + cos_q_P3
+                * (cos_q_P4
+                    * (-cos_q_P1 * (-divisor1_of_q_p3).mul_add(cos_q_P5, divisor1_of_q_p3_q_p5_2)
+                        + divisor1_of_q_p3_q_p5 * sin_q_p2_sin_q_p1) + divisor1_of_place_20));
+    let divisor1_of_place_22 = divisor1_of_place * cos_q_P2;
+    // cos_q_p3_cos_q_p5 + divisor1_of_q_p3_q_p5
+    let divisor1_of_q_p3_q_p5_3 = cos_q_p3_cos_q_p5 + divisor1_of_q_p3_q_p5;
+    // cos(q_P1)*(sin_q_p3_cos_q_p5 - divisor1_of_q_p3_q_p5_2)
+    let divisor1_of_place_23 = cos_q_P1 * (sin_q_p3_cos_q_p5 - divisor1_of_q_p3_q_p5_2);
+    // sin(q_P1)*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P4)*(divisor1_of_q_p5 - cos_q_p3_cos_q_p5) +
+    //   divisor1_of_q_p3*sin(q_P5)) - sin_q_p2_cos_q_p4*divisor1_of_q_p3_q_p5_3) -
+    //   divisor1_of_place_23*cos(q_P4)) - divisor1_of_place_16*cos(q_P1))
+    let divisor1_of_place_24 = sin_q_P1
+        * (sin_q_P2
+            * (sin_q_P1
+                * (cos_q_P2
+                    * (sin_q_P4 * (divisor1_of_q_p5 - cos_q_p3_cos_q_p5)
+                        + divisor1_of_q_p3 * sin_q_P5)
+                    - sin_q_p2_cos_q_p4 * divisor1_of_q_p3_q_p5_3)
+                - divisor1_of_place_23 * cos_q_P4) - divisor1_of_place_16 * cos_q_P1);
     // 1 + sin(q_P4)
     let divisor1_of_q_p4 = S::int(1) + sin_q_P4;
     let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
     // cos_q_p4_sq + sin(q_P5)*(divisor1_of_q_p4 - cos_q_p4_sq)
     let divisor1_of_q_p4_q_p5_3 = cos_q_p4_sq + sin_q_P5 * (divisor1_of_q_p4 - cos_q_p4_sq);
-    let divisor1_of_place_24 = divisor1_of_q_p4_q_p5_3 * sin_q_P3;
+    let divisor1_of_place_25 = divisor1_of_q_p4_q_p5_3 * sin_q_P3;
     // cos_q_p2_cos_q_p4*(sin(q_P5) + divisor1_of_q_p4_q_p5)
-    let divisor1_of_place_25 = cos_q_p2_cos_q_p4 * (sin_q_P5 + divisor1_of_q_p4_q_p5);
-    let divisor1_of_place_26 = divisor1_of_q_p4_q_p5_3 * cos_q_P3;
-    let divisor1_of_place_27 = sin_q_p3_cos_q_p5 * divisor1_of_q_p4;
-    // (divisor1_of_place_22*sin(q_P2) -
-    //   divisor1_of_place_5*sin(q_P1))*(divisor1_of_place_7*divisor1_of_place_14 +
-    //   divisor1_of_place_21*divisor1_of_place_23) + (divisor1_of_place_8*sin(q_P1) +
-    //   divisor1_of_place_22)*(l_sq*divisor1_of_place_23*(divisor1_of_place_15*cos(q_P1) +
-    //   sin(q_P2)*(divisor1_of_place_18*sin(q_P1) + cos(q_P1)*cos(q_P4)*(sin_q_p3_cos_q_p5 -
-    //   divisor1_of_q_p3_q_p5_2))) +
-    //   l*divisor1_of_place_2*(divisor1_of_place_4*divisor1_of_place_20*sin(q_P1) -
-    //   divisor1_of_place_13*divisor1_of_place_23) -
-    //   divisor1_of_place_7_l_sq*(sin_q_p3_cos_q_p1*cos(q_P1)*(divisor1_of_place_26 + divisor1_of_place_27)
-    //   + sin(q_P1)*(sin_q_p3_cos_q_p1*divisor1_of_place_25 +
+    let divisor1_of_place_26 = cos_q_p2_cos_q_p4 * (sin_q_P5 + divisor1_of_q_p4_q_p5);
+    let divisor1_of_place_27 = divisor1_of_q_p4_q_p5_3 * cos_q_P3;
+    let divisor1_of_place_28 = sin_q_p3_cos_q_p5 * divisor1_of_q_p4;
+    let divisor1_of_place_4_l_sq = divisor1_of_place_4 * l_sq;
+    let cos_q_p5_sq = cos_q_P5 * cos_q_P5;
+    // 2*divisor1_of_q_p5 - cos_q_p5_sq
+    let divisor1_of_q_p5_2 = divisor1_of_q_p5.mul_add(S::int(2), -cos_q_p5_sq);
+    // -divisor1_of_q_p5_2
+    let minus_divisor1_of_q_p5_2 = -divisor1_of_q_p5_2;
+    let cos_q_p4_sq_doubled = S::int(2) * cos_q_p4_sq;
+    let divisor1_of_q_p4_q_p5_4 = minus_divisor1_of_q_p5_2 * cos_q_p4_sq_doubled;
+    // divisor1_of_q_p5 - cos_q_p5_sq
+    let divisor1_of_q_p5_3 = divisor1_of_q_p5 - cos_q_p5_sq;
+    let divisor1_of_q_p4_q_p5_5 = cos_q_p4_sq * minus_divisor1_of_q_p5_2;
+    // -minus_divisor1_of_q_p5*cos_q_p4_sq - sin(q_P4)*(divisor1_of_q_p5_3 + divisor1_of_q_p4_q_p5_5)
+    let divisor1_of_q_p4_q_p5_6 = -sin_q_P4 * (divisor1_of_q_p5_3 + divisor1_of_q_p4_q_p5_5)
+        - minus_divisor1_of_q_p5 * cos_q_p4_sq;
+    // divisor1_of_q_p4_q_p5_6 - divisor1_of_q_p5_3
+    let divisor1_of_q_p4_q_p5_7 = divisor1_of_q_p4_q_p5_6 - divisor1_of_q_p5_3;
+    // divisor1_of_q_p5*(divisor1_of_q_p4 - cos_q_p4_sq_doubled)
+    let divisor1_of_q_p4_q_p5_8 = divisor1_of_q_p5 * (divisor1_of_q_p4 - cos_q_p4_sq_doubled);
+    // cos(q_P3)*(divisor1_of_q_p4_q_p5_7*cos(q_P3) + sin_q_p3_cos_q_p5*divisor1_of_q_p4_q_p5_8)
+    let divisor1_of_place_29 = cos_q_P3
+        * sin_q_p3_cos_q_p5
+            .mul_add(divisor1_of_q_p4_q_p5_8, divisor1_of_q_p4_q_p5_7 * cos_q_P3);
+    let divisor1_of_q_p4_q_p5_9 = S::int(2) * divisor1_of_q_p4_q_p5;
+    // cos_q_p5_sq - 3*divisor1_of_q_p5 - divisor1_of_q_p4_q_p5_4 + divisor1_of_q_p4_q_p5_9
+    let divisor1_of_q_p4_q_p5_10 = (-divisor1_of_q_p5).mul_add(S::int(3), cos_q_p5_sq)
+        - divisor1_of_q_p4_q_p5_4 + divisor1_of_q_p4_q_p5_9;
+    // divisor1_of_q_p4_q_p5_9 - divisor1_of_q_p5
+    let divisor1_of_q_p4_q_p5_11 = divisor1_of_q_p4_q_p5_9 - divisor1_of_q_p5;
+    // sin(q_P2)*(divisor1_of_q_p4_q_p5_7*sin(q_P3) - cos_q_p3_cos_q_p5*divisor1_of_q_p4_q_p5_8)
+    let divisor1_of_place_30 = sin_q_P2
+        * (-cos_q_p3_cos_q_p5)
+            .mul_add(divisor1_of_q_p4_q_p5_8, divisor1_of_q_p4_q_p5_7 * sin_q_P3);
+    // (divisor1_of_place_2*sin(q_P1) -
+    //   divisor1_of_place*cos(q_P1)*sin(q_P2))*(l^2*divisor1_of_place_4*(divisor1_of_place_9*cos(q_P5)*(divisor1_of_place_5
+    //   - sin(q_P1)*(sin_q_p2_cos_q_p4*sin(q_P3) + cos_q_p2_sin_q_p4)) +
+    //   divisor1_of_place_12*(minus_divisor1_of_q_p5*divisor1_of_place_5 - divisor1_of_place_11*sin(q_P1)))
+    //   - divisor1_of_place_13*divisor1_of_place_18 - divisor1_of_place_19*divisor1_of_place_21) +
+    //   (divisor1_of_place_11*cos(q_P1) +
+    //   divisor1_of_q_p3_q_p5_2*sin(q_P1)*cos(q_P4))*(divisor1_of_place_19*divisor1_of_place_24 -
+    //   divisor1_of_place_18*divisor1_of_place_22 +
+    //   divisor1_of_place_4_l_sq*(sin_q_p3_cos_q_p1*cos(q_P1)*(divisor1_of_place_27 + divisor1_of_place_28)
+    //   + sin(q_P1)*(sin_q_p3_cos_q_p1*divisor1_of_place_26 +
     //   sin(q_P2)*(cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(cos_q_p3_cos_q_p5*divisor1_of_q_p4 -
-    //   divisor1_of_place_24) + divisor1_of_place_25) + cos(q_P1)*(divisor1_of_place_26 +
-    //   2*divisor1_of_place_27)) - sin_q_p3_cos_q_p1*divisor1_of_place_24))))
-    let divisor1_of_place_28 = (-divisor1_of_place_5)
-        .mul_add(sin_q_P1, divisor1_of_place_22 * sin_q_P2)
-        * divisor1_of_place_21
-            .mul_add(divisor1_of_place_23, divisor1_of_place_7 * divisor1_of_place_14)
-        + divisor1_of_place_8.mul_add(sin_q_P1, divisor1_of_place_22)
-            * (l_sq * divisor1_of_place_23
-                * (sin_q_P2
-                    * (cos_q_P1 * cos_q_P4 * (sin_q_p3_cos_q_p5 - divisor1_of_q_p3_q_p5_2)
-                        + divisor1_of_place_18 * sin_q_P1) + divisor1_of_place_15 * cos_q_P1)
-                + l * divisor1_of_place_2
-                    * (-divisor1_of_place_13)
-                        .mul_add(
-                            divisor1_of_place_23,
-                            divisor1_of_place_4 * divisor1_of_place_20 * sin_q_P1,
-                        )
-                - divisor1_of_place_7_l_sq
-                    * (sin_q_p3_cos_q_p1 * cos_q_P1 * (divisor1_of_place_26 + divisor1_of_place_27)
+    //   divisor1_of_place_25) + divisor1_of_place_26) + cos(q_P1)*(divisor1_of_place_27 +
+    //   2*divisor1_of_place_28)) - sin_q_p3_cos_q_p1*divisor1_of_place_25))))
+    let divisor1_of_place_31 = (-(divisor1_of_place * cos_q_P1))
+        .mul_add(sin_q_P2, divisor1_of_place_2 * sin_q_P1)
+        * (l * l * divisor1_of_place_4
+            * (divisor1_of_place_9 * cos_q_P5
+                * (divisor1_of_place_5
+                    - sin_q_P1 * sin_q_p2_cos_q_p4.mul_add(sin_q_P3, cos_q_p2_sin_q_p4))
+                + divisor1_of_place_12
+                    * (-divisor1_of_place_11)
+                        .mul_add(sin_q_P1, minus_divisor1_of_q_p5 * divisor1_of_place_5))
+            - divisor1_of_place_13 * divisor1_of_place_18
+            - divisor1_of_place_19 * divisor1_of_place_21)
+        + (divisor1_of_q_p3_q_p5_2 * sin_q_P1)
+            .mul_add(cos_q_P4, divisor1_of_place_11 * cos_q_P1)
+            * (divisor1_of_place_19 * divisor1_of_place_24
+                - divisor1_of_place_18 * divisor1_of_place_22
+                + divisor1_of_place_4_l_sq
+                    * (sin_q_p3_cos_q_p1 * cos_q_P1 * (divisor1_of_place_27 + divisor1_of_place_28)
                         + sin_q_P1
                             * (sin_q_P2
                                 * (cos_q_P3
                                     * (sin_q_P1
                                         * (sin_q_P2
                                             * cos_q_p3_cos_q_p5
-                                                .mul_add(divisor1_of_q_p4, -divisor1_of_place_24)
-                                            + divisor1_of_place_25)
+                                                .mul_add(divisor1_of_q_p4, -divisor1_of_place_25)
+                                            + divisor1_of_place_26)
                                         + cos_q_P1
-                                            * divisor1_of_place_27
-                                                .mul_add(S::int(2), divisor1_of_place_26))
-                                    - sin_q_p3_cos_q_p1 * divisor1_of_place_24)
-                                + sin_q_p3_cos_q_p1 * divisor1_of_place_25)));
+                                            * divisor1_of_place_28
+                                                .mul_add(S::int(2), divisor1_of_place_27))
+                                    - sin_q_p3_cos_q_p1 * divisor1_of_place_25)
+                                + sin_q_p3_cos_q_p1 * divisor1_of_place_26)));
+    // (divisor1_of_place_6*sin(q_P1) -
+    //   divisor1_of_place_8*cos(q_P1))*(l_sq*(divisor1_of_place_21*divisor1_of_place_22 +
+    //   divisor1_of_place_13*divisor1_of_place_24) +
+    //   divisor1_of_place_4_l_sq*(sin(q_P1)*(sin(q_P2)*(cos_q_p3_cos_q_p5*(cos_q_p2_sin_q_p4*sin(q_P1) -
+    //   divisor1_of_place_5) + sin(q_P3)*(divisor1_of_place_20 + cos(q_P4)*(cos(q_P1)*(sin_q_p3_cos_q_p5 -
+    //   2*divisor1_of_q_p3_q_p5_2) + sin_q_p2_sin_q_p1*divisor1_of_q_p3_q_p5_3))) +
+    //   cos_q_p2_sin_q_p4*divisor1_of_place_23) - divisor1_of_place_5*divisor1_of_place_23)) +
+    //   divisor1_of_place_15*l_sq*cos(q_P1)*(cos(q_P4)*cos(q_P5)*(divisor1_of_place_10*sin(q_P3) +
+    //   divisor1_of_place_14) + cos(q_P1)*(sin(q_P1)*(divisor1_of_q_p4_q_p5_7 - 2*divisor1_of_place_29 +
+    //   cos(q_P2)*(cos(q_P2)*(divisor1_of_q_p5 + minus_divisor1_of_q_p5*cos_q_p4_sq_doubled +
+    //   sin(q_P4)*(divisor1_of_q_p5 + divisor1_of_q_p4_q_p5_4) + divisor1_of_place_29) -
+    //   sin_q_p2_cos_q_p4*(divisor1_of_q_p4_q_p5_10*sin(q_P3) +
+    //   cos_q_p3_cos_q_p5*divisor1_of_q_p4_q_p5_11))) -
+    //   cos(q_P1)*(cos(q_P5)*(divisor1_of_q_p4_q_p5_8*sin(q_P2) +
+    //   cos_q_p2_cos_q_p4*divisor1_of_q_p4_q_p5_11*sin(q_P3)) + cos(q_P3)*(2*divisor1_of_place_30 -
+    //   cos_q_p2_cos_q_p4*divisor1_of_q_p4_q_p5_10))) + cos(q_P3)*(cos_q_p2_cos_q_p4*(divisor1_of_q_p5_2 -
+    //   divisor1_of_q_p4_q_p5 + divisor1_of_q_p4_q_p5_5) + divisor1_of_place_30))
+    let divisor1_of_place_32 = (-divisor1_of_place_8)
+        .mul_add(cos_q_P1, divisor1_of_place_6 * sin_q_P1)
+        * (l_sq
+            * divisor1_of_place_13
+                .mul_add(
+                    divisor1_of_place_24,
+                    divisor1_of_place_21 * divisor1_of_place_22,
+                )
+            + divisor1_of_place_4_l_sq
+                * (sin_q_P1
+                    * (sin_q_P2
+                        * (cos_q_p3_cos_q_p5
+                            * cos_q_p2_sin_q_p4.mul_add(sin_q_P1, -divisor1_of_place_5)
+                            + sin_q_P3
+                                * (divisor1_of_place_20
+                                    + cos_q_P4
+                                        * (cos_q_P1
+                                            * (-divisor1_of_q_p3_q_p5_2)
+                                                .mul_add(S::int(2), sin_q_p3_cos_q_p5)
+                                            + sin_q_p2_sin_q_p1 * divisor1_of_q_p3_q_p5_3)))
+                        + cos_q_p2_sin_q_p4 * divisor1_of_place_23)
+                    - divisor1_of_place_5 * divisor1_of_place_23))
+        + divisor1_of_place_15 * l_sq * cos_q_P1
+            * (cos_q_P4 * cos_q_P5 * divisor1_of_place_10.mul_add(sin_q_P3, divisor1_of_place_14)
+                + cos_q_P1
+                    * (sin_q_P1
+                        * (divisor1_of_q_p4_q_p5_7 - S::int(2) * divisor1_of_place_29
+                            + cos_q_P2
+                                * (cos_q_P2
+                                    * (divisor1_of_q_p5
+                                        + minus_divisor1_of_q_p5 * cos_q_p4_sq_doubled
+                                        + sin_q_P4 * (divisor1_of_q_p5 + divisor1_of_q_p4_q_p5_4)
+                                        + divisor1_of_place_29)
+                                    - sin_q_p2_cos_q_p4
+                                        * cos_q_p3_cos_q_p5
+                                            .mul_add(
+                                                divisor1_of_q_p4_q_p5_11,
+                                                divisor1_of_q_p4_q_p5_10 * sin_q_P3,
+                                            )))
+                        - cos_q_P1
+                            * (cos_q_P5
+                                * (cos_q_p2_cos_q_p4 * divisor1_of_q_p4_q_p5_11)
+                                    .mul_add(sin_q_P3, divisor1_of_q_p4_q_p5_8 * sin_q_P2)
+                                + cos_q_P3
+                                    * (-cos_q_p2_cos_q_p4)
+                                        .mul_add(
+                                            divisor1_of_q_p4_q_p5_10,
+                                            S::int(2) * divisor1_of_place_30,
+                                        )))
+                + cos_q_P3
+                    * (cos_q_p2_cos_q_p4
+                        * (divisor1_of_q_p5_2 - divisor1_of_q_p4_q_p5
+                            + divisor1_of_q_p4_q_p5_5) + divisor1_of_place_30));
     // Values.
-    // divisor1 = l*(sin(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) + cos(q_P1)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    // divisor1 = l^3*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
+    //   1))))*(cos(q_P4)*cos(q_P5)*(cos(q_P2)*sin(q_P3)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P5) - 1)) + cos(q_P1)*(sin(q_P1)*(sin(q_P5) - 1 + cos(q_P5)^2 +
+    //   cos(q_P4)^2*(1 - sin(q_P5)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5)
+    //   - cos(q_P5)^2)) - 2*cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5))
+    //   + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) -
+    //   cos(q_P2)*(cos(q_P2)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(1 - sin(q_P5)) -
+    //   cos(q_P3)*(cos(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P3)*cos(q_P5)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3)*(3*sin(q_P5) - 3 + cos(q_P5)^2 + 2*sin(q_P4)*(sin(q_P5) - 1) +
+    //   2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) + cos(q_P3)*cos(q_P5)*(sin(q_P5) - 1 +
+    //   2*sin(q_P4)*(sin(q_P5) - 1))))) - cos(q_P1)*(cos(q_P3)*(cos(q_P2)*cos(q_P4)*(3 - 3*sin(q_P5) -
+    //   cos(q_P5)^2 - 2*sin(q_P4)*(sin(q_P5) - 1) - 2*cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2)) +
+    //   2*sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))))) +
+    //   cos(q_P5)*(sin(q_P2)*(1 + sin(q_P4) - 2*cos(q_P4)^2 + sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4))) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) - 1 + 2*sin(q_P4)*(sin(q_P5) - 1))))) +
+    //   cos(q_P3)*(sin(q_P2)*(sin(q_P3)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(1 - sin(q_P5)) +
+    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P5)^2 + cos(q_P4)^2*(2 - 2*sin(q_P5) - cos(q_P5)^2))) +
+    //   cos(q_P3)*cos(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4) - sin(q_P5)*(2*cos(q_P4)^2 - 1 - sin(q_P4)))) +
+    //   cos(q_P2)*cos(q_P4)*(2 - 2*sin(q_P5) - cos(q_P5)^2 - sin(q_P4)*(sin(q_P5) - 1) - cos(q_P4)^2*(2 -
+    //   2*sin(q_P5) - cos(q_P5)^2)))) - l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) +
+    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) + sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
     //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) -
-    //   cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) -
-    //   cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) - cos(q_P2)*cos(q_P4)*(sin(q_P5) +
-    //   sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) +
-    //   cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
+    //   1))))*(l*cos(q_P5)*(sin(q_P1)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*sin(q_P3)*cos(q_P4)) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))) + l*(cos(q_P1)*cos(q_P3)*cos(q_P4)*(1 - sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
+    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))))
+    //   + l*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) - 1 +
+    //   sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4) - sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) +
+    //   sin(q_P1)*sin(q_P2)*cos(q_P3))) - l*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*cos(q_P2)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
+    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) -
+    //   sin(q_P3)*(cos(q_P2)*sin(q_P4) + sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) +
+    //   cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1)))))) + l*(sin(q_P1)*cos(q_P3)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P1)*(cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
+    //   sin(q_P4)*(sin(q_P5) - 1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P1)*sin(q_P3)^2*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) + cos(q_P3)*(sin(q_P1)*(sin(q_P2)*(sin(q_P3)*(cos(q_P4)^2 +
+    //   sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2)) - cos(q_P3)*cos(q_P5)*(1 + sin(q_P4))) -
+    //   cos(q_P2)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) - cos(q_P1)*(2*sin(q_P3)*cos(q_P5)*(1 +
+    //   sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 + sin(q_P4) - cos(q_P4)^2))))) -
     //   cos(q_P1)*cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) + sin(q_P4)*(sin(q_P5) - 1))) -
     //   cos(q_P1)^2*sin(q_P3)*(sin(q_P3)*cos(q_P5)*(1 + sin(q_P4)) + cos(q_P3)*(cos(q_P4)^2 + sin(q_P5)*(1 +
     //   sin(q_P4) - cos(q_P4)^2)))) + l*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) -
@@ -5142,68 +5119,30 @@ pub fn divisors<S: Scalar>(p: &Parameters<S>, q: &[S; 5], _q_dot: &[S; 5]) -> [S
     //   sin(q_P3)*sin(q_P4)*cos(q_P5))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
     //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
     //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(1 - sin(q_P3)) +
-    //   sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) + sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) + cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
-    //   sin(q_P5)))))) + l*cos(q_P1)*(sin(q_P2)*cos(q_P4)*(1 - sin(q_P5)) + cos(q_P2)*(cos(q_P3)*cos(q_P5) -
-    //   1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1))))*(l*cos(q_P2)*(sin(q_P3)*cos(q_P5) +
-    //   cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*cos(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4)))))) +
-    //   l*(cos(q_P1)*sin(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) - 1)) +
-    //   sin(q_P1)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(l*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) + sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 -
-    //   sin(q_P4)*(sin(q_P5) - 1))))*(l*(cos(q_P1)*(1 + cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
-    //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) - 1)))) -
-    //   sin(q_P1)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1)))*(sin(q_P5)*(cos(q_P1)*cos(q_P3)*sin(q_P4) + sin(q_P1)*(cos(q_P2)*cos(q_P4) -
-    //   sin(q_P2)*sin(q_P3)*sin(q_P4))) + cos(q_P5)*(cos(q_P1)*sin(q_P3) + sin(q_P1)*sin(q_P2)*cos(q_P3))) +
-    //   l*(cos(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
-    //   sin(q_P1)*(cos(q_P2)*cos(q_P4)*cos(q_P5) - sin(q_P2)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5))))*(sin(q_P5)*(sin(q_P1)*sin(q_P3) - cos(q_P1)*sin(q_P2)*cos(q_P3)) -
-    //   cos(q_P5)*(sin(q_P1)*cos(q_P3)*sin(q_P4) + cos(q_P1)*(sin(q_P2)*sin(q_P3)*sin(q_P4) -
-    //   cos(q_P2)*cos(q_P4))))) + l^2*sin(q_P1)*(sin(q_P2)*cos(q_P4)*cos(q_P5) +
-    //   cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)))*(cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1
-    //   - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) - sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) +
-    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) +
-    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) + sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 +
-    //   cos(q_P3)*cos(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
+    //   sin(q_P3)*sin(q_P4)*cos(q_P5)) - sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) +
+    //   sin(q_P4)*(1 - sin(q_P5) - cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) +
+    //   sin(q_P3)*(sin(q_P5) - 1))) - cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 -
+    //   sin(q_P5)))))) + l*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5)) +
     //   cos(q_P1)*(sin(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) -
-    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*cos(q_P1)*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P2)*cos(q_P4)*cos(q_P5)))*(l^2*(cos(q_P2)*cos(q_P4)*(sin(q_P5) - 1) +
     //   sin(q_P2)*(cos(q_P3)*cos(q_P5) - 1 + sin(q_P3)*(1 - sin(q_P4)*(sin(q_P5) -
-    //   1))))*(sin(q_P1)*(cos(q_P3)*sin(q_P4)*cos(q_P5) - sin(q_P3)*sin(q_P5) +
-    //   sin(q_P2)*(sin(q_P3)*sin(q_P5) - cos(q_P3)*sin(q_P4)*cos(q_P5)) - cos(q_P2)*(cos(q_P2)*(sin(q_P5)*(1
-    //   - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5))) +
-    //   sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))) -
-    //   cos(q_P1)*(sin(q_P3)*cos(q_P5)*(sin(q_P4)*(1 - sin(q_P2)) + cos(q_P2)*cos(q_P4)) +
-    //   cos(q_P3)*(cos(q_P2)*cos(q_P4) + sin(q_P5)*(1 - sin(q_P2) - cos(q_P2)*cos(q_P4))))) +
-    //   l^2*sin(q_P1)*cos(q_P2)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
-    //   1))*(cos(q_P2)*(cos(q_P1)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5)) +
-    //   sin(q_P1)*(sin(q_P5)*(1 - sin(q_P3)) + sin(q_P4)*(sin(q_P5) - 1 + cos(q_P3)*cos(q_P5)))) -
-    //   cos(q_P4)*(cos(q_P1)*(cos(q_P5)*(1 - sin(q_P2) - sin(q_P3)) + cos(q_P3)*(sin(q_P5) - 1)) -
-    //   sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)))))
-    let divisor1 = divisor1_of_place_20 * cos_q_P1
-        * (divisor1_of_place_16 * l_sq)
-            .mul_add(divisor1_of_place_19, divisor1_of_place_2 * divisor1_of_place_14)
-        + l
-            * ((-divisor1_of_place_12).mul_add(cos_q_P1, divisor1_of_place_10 * sin_q_P1)
-                * (-(divisor1_of_place_2 * divisor1_of_place_21))
-                    .mul_add(sin_q_P1, divisor1_of_place_19 * divisor1_of_place_7_l_sq)
-                + divisor1_of_place_28);
+    //   1))))*(sin(q_P1)*(sin(q_P2)*(cos(q_P3)*cos(q_P5)*(sin(q_P1)*cos(q_P2)*sin(q_P4) -
+    //   cos(q_P1)*cos(q_P3)*cos(q_P4)) + sin(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1)) +
+    //   cos(q_P1)*(sin(q_P3)*cos(q_P5) + 2*cos(q_P3)*(1 - sin(q_P5)))))) +
+    //   cos(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)^2*cos(q_P3)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) +
+    //   l^2*sin(q_P1)*cos(q_P2)^2*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(sin(q_P4)*(sin(q_P5) - 1) -
+    //   1))*(sin(q_P1)*cos(q_P5)*(cos(q_P2)*sin(q_P4) - sin(q_P3)*(cos(q_P2)*sin(q_P4) +
+    //   sin(q_P2)*cos(q_P4)*(sin(q_P3) - 1))) + cos(q_P3)*(sin(q_P1)*cos(q_P2)*sin(q_P4)*(sin(q_P5) - 1) +
+    //   cos(q_P4)*(sin(q_P1)*sin(q_P2)*sin(q_P3)*(sin(q_P5) - 1) - cos(q_P1)*(cos(q_P5)*(1 - sin(q_P3)) +
+    //   cos(q_P3)*(sin(q_P5) - 1))))) + l^2*sin(q_P1)*(sin(q_P2)*sin(q_P4)*(1 - sin(q_P5)) +
+    //   cos(q_P2)*sin(q_P3)*cos(q_P4)*(sin(q_P5) -
+    //   1))*(sin(q_P2)*(sin(q_P1)*(cos(q_P2)*(sin(q_P5)*(sin(q_P3) - 1) + sin(q_P4)*(1 - sin(q_P5) -
+    //   cos(q_P3)*cos(q_P5))) - sin(q_P2)*cos(q_P4)*(cos(q_P3)*cos(q_P5) + sin(q_P3)*(sin(q_P5) - 1))) -
+    //   cos(q_P1)*cos(q_P4)*(sin(q_P3)*cos(q_P5) + cos(q_P3)*(1 - sin(q_P5)))) -
+    //   cos(q_P1)*cos(q_P2)*(cos(q_P3)*sin(q_P5) + sin(q_P3)*sin(q_P4)*cos(q_P5))))
+    let divisor1 = l * (divisor1_of_place_32 - divisor1_of_place_31);
     [divisor1]
 }
 
@@ -5338,7 +5277,7 @@ pub fn constraints<S: Scalar>(p: &Parameters<S>, q: &[S; 5], q_dot: &[S; 5]) -> 
 
 /// Slopes of the constraints, one after the other, along q_P1, q_P2, q_P3, q_P4, q_P5, q_P1', q_P2', q_P3', q_P4', q_P5'.
 ///
-/// 388 operations, 5 sines and cosines.
+/// 389 operations, 5 sines and cosines.
 #[must_use]
 pub fn constraint_slopes<S: Scalar>(
     p: &Parameters<S>,
@@ -5430,8 +5369,8 @@ pub fn constraint_slopes<S: Scalar>(
     let residual4_by_q_P4_of_place = (-sin_q_p2_sin_q_p1)
         .mul_add(sin_q_P3, cos_q_p3_cos_q_p1);
     let cos_q_p2_sin_q_p1 = sin_q_P1 * cos_q_P2;
-    let residual4_by_q_P4_of_place_2 = (-residual4_by_q_P4_of_place)
-        .mul_add(cos_q_P4, cos_q_p2_sin_q_p1 * sin_q_P4);
+    let residual4_by_q_P4_of_place_2 = (-cos_q_p2_sin_q_p1)
+        .mul_add(sin_q_P4, residual4_by_q_P4_of_place * cos_q_P4);
     let residual5_by_q_P1_of_motion = q_P4_dot.mul_add(sin_q_P3, q_P2_dot);
     let residual5_by_q_P1_of_motion_2 = residual1_by_q_P1_of_q_p5 * residual5_by_q_P1_of_motion;
     let residual5_by_q_P1_of_motion_3 = q_P5_dot
@@ -5553,7 +5492,7 @@ pub fn constraint_slopes<S: Scalar>(
     let residual4_by_q_P1 = residual1_by_q_P5_of_place_4;
     let residual4_by_q_P2 = residual4_by_q_P2_of_place;
     let residual4_by_q_P3 = residual4_by_q_P3_of_place;
-    let residual4_by_q_P4 = residual4_by_q_P4_of_place_2 * cos_q_P5;
+    let residual4_by_q_P4 = -residual4_by_q_P4_of_place_2 * cos_q_P5;
     let residual4_by_q_P5 = cos_q_P1 * cos_q_p3_sin_q_p5.mul_add(sin_q_P4, sin_q_p3_cos_q_p5)
         + sin_q_P1
             * (sin_q_P2 * (-sin_q_p3_sin_q_p5).mul_add(sin_q_P4, cos_q_p3_cos_q_p5)
@@ -5647,7 +5586,7 @@ pub fn constraint_slopes<S: Scalar>(
                     * residual5_by_q_P4_of_motion_3
                         .mul_add(cos_q_P3, residual5_by_q_P5_of_motion_3)
                     + residual8_by_q_P3_of_motion * sin_q_P3))
-        - q_P5_dot * residual4_by_q_P4_of_place_2 * sin_q_P5;
+        + q_P5_dot * residual4_by_q_P4_of_place_2 * sin_q_P5;
     let residual8_by_q_P5 = (-residual7_by_q_P5_of_motion_2)
         .mul_add(cos_q_P5, -residual7_by_q_P5_of_motion * sin_q_P5);
     let residual8_by_q_P1_dot = sin_q_P5

@@ -10,7 +10,7 @@ use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u); rows rod1 force rod1_frame1, rod1 force rod1_frame2, rod1 force rod1_frame3, rod1 moment rod1_frame1, rod1 moment rod1_frame2, rod1 moment rod1_frame3, rod2 force rod2_frame1, rod2 force rod2_frame2, rod2 force rod2_frame3, rod2 moment rod2_frame1, rod2 moment rod2_frame2, rod2 moment rod2_frame3, rod3 force rod3_frame1, rod3 force rod3_frame2, rod3 force rod3_frame3, rod3 moment rod3_frame1, rod3 moment rod3_frame2, rod3 moment rod3_frame3, rod4 force rod4_frame1, rod4 force rod4_frame2, rod4 force rod4_frame3, rod4 moment rod4_frame1, rod4 moment rod4_frame2, rod4 moment rod4_frame3, rod5 force rod5_frame1, rod5 force rod5_frame2, rod5 force rod5_frame3, rod5 moment rod5_frame1, rod5 moment rod5_frame2, rod5 moment rod5_frame3.
 ///
-/// 770 operations, 5 sines and cosines.
+/// 765 operations, 5 sines and cosines.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -20,381 +20,372 @@ pub fn mass_matrix<S: Scalar>(
     let Parameters { l, m, .. } = *p;
     let [q_P1, q_P2, q_P3, q_P4, q_P5] = *q;
     // Sines and cosines.
-    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
     let (sin_q_P5, cos_q_P5) = q_P5.sin_cos();
     let (sin_q_P4, cos_q_P4) = q_P4.sin_cos();
+    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
     let (sin_q_P2, cos_q_P2) = q_P2.sin_cos();
     let (sin_q_P1, cos_q_P1) = q_P1.sin_cos();
     // Step by step, each after the terms that it needs.
+    let ratio_q_P2_u_P1_of_q_p5 = S::int(1) - sin_q_P5;
+    let cos_q_p5_sq = cos_q_P5 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_q_p5_2 = ratio_q_P2_u_P1_of_q_p5
+        .mul_add(S::int(2), -cos_q_p5_sq);
+    let ratio_q_P2_u_P1_of_q_p5_3 = -ratio_q_P2_u_P1_of_q_p5_2;
+    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5 = ratio_q_P2_u_P1_of_q_p5_3 * cos_q_p4_sq;
+    let ratio_q_P2_u_P1_of_q_p5_4 = ratio_q_P2_u_P1_of_q_p5 - cos_q_p5_sq;
+    let ratio_q_P2_u_P1_of_q_p5_5 = -ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_2 = ratio_q_P2_u_P1_of_q_p5_5 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_3 = ratio_q_P2_u_P1_of_q_p4_q_p5_2 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_4 = -sin_q_P4
+        * (ratio_q_P2_u_P1_of_q_p4_q_p5 + ratio_q_P2_u_P1_of_q_p5_4)
+        - ratio_q_P2_u_P1_of_q_p4_q_p5_3;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_5 = ratio_q_P2_u_P1_of_q_p4_q_p5_4 - ratio_q_P2_u_P1_of_q_p5_4;
+    let ratio_q_P2_u_P1_of_q_p4 = S::int(1) + sin_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_6 = ratio_q_P2_u_P1_of_q_p5
+        * (-cos_q_p4_sq).mul_add(S::int(2), ratio_q_P2_u_P1_of_q_p4);
+    let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place = cos_q_P3
+        * ratio_q_P2_u_P1_of_q_p4_q_p5_6
+            .mul_add(sin_q_p3_cos_q_p5, ratio_q_P2_u_P1_of_q_p4_q_p5_5 * cos_q_P3);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_7 = ratio_q_P2_u_P1_of_q_p5_5 * sin_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_8 = ratio_q_P2_u_P1_of_q_p4_q_p5_7
+        - ratio_q_P2_u_P1_of_q_p4_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_9 = (-ratio_q_P2_u_P1_of_q_p5)
+        .mul_add(S::int(3), cos_q_p5_sq) + S::int(2) * ratio_q_P2_u_P1_of_q_p4_q_p5_8;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_10 = ratio_q_P2_u_P1_of_q_p4_q_p5_7
+        .mul_add(S::int(2), -ratio_q_P2_u_P1_of_q_p5);
     let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5 = S::int(1) - cos_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_of_q_p5 = S::int(1) - sin_q_P5;
-    let ratio_q_P1_u_P4_of_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P4;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_2 = ratio_q_P1_u_P4_of_q_p4_q_p5 - S::int(1);
-    let ratio_q_P1_u_P4_of_place = ratio_q_P1_u_P4_of_q_p4_q_p5_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_2 = ratio_q_P1_u_P4_of_q_p3_q_p5 + ratio_q_P1_u_P4_of_place;
-    let ratio_q_P1_u_P4_of_place_3 = -ratio_q_P1_u_P4_of_place_2;
     let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(sin_q_p2_cos_q_p4, ratio_q_P1_u_P4_of_place_3 * cos_q_P2);
+    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_place_2 = sin_q_P2
+        * (-ratio_q_P2_u_P1_of_q_p4_q_p5_6)
+            .mul_add(cos_q_p3_cos_q_p5, ratio_q_P2_u_P1_of_q_p4_q_p5_5 * sin_q_P3);
+    let x_rod2_frame_in_rod3_frame_3_4 = cos_q_P2 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_3 = ratio_q_P2_u_P1_of_q_p4_q_p5_2 * sin_q_P2;
+    let ratio_q_P2_u_P1_of_place_4 = cos_q_P1
+        * (sin_q_P1
+            * (ratio_q_P2_u_P1_of_q_p4_q_p5_5 - S::int(2) * ratio_q_P2_u_P1_of_place
+                + cos_q_P2
+                    * (cos_q_P2
+                        * (ratio_q_P2_u_P1_of_q_p5
+                            + sin_q_P4
+                                * ratio_q_P2_u_P1_of_q_p4_q_p5
+                                    .mul_add(S::int(2), ratio_q_P2_u_P1_of_q_p5)
+                            + S::int(2) * ratio_q_P2_u_P1_of_q_p4_q_p5_3 + ratio_q_P2_u_P1_of_place)
+                        - sin_q_p2_cos_q_p4
+                            * ratio_q_P2_u_P1_of_q_p4_q_p5_10
+                                .mul_add(
+                                    cos_q_p3_cos_q_p5,
+                                    ratio_q_P2_u_P1_of_q_p4_q_p5_9 * sin_q_P3,
+                                )))
+            - cos_q_P1
+                * (cos_q_P5
+                    * (ratio_q_P2_u_P1_of_q_p4_q_p5_10 * cos_q_p2_cos_q_p4)
+                        .mul_add(sin_q_P3, ratio_q_P2_u_P1_of_q_p4_q_p5_6 * sin_q_P2)
+                    + cos_q_P3
+                        * (-ratio_q_P2_u_P1_of_q_p4_q_p5_9)
+                            .mul_add(
+                                cos_q_p2_cos_q_p4,
+                                S::int(2) * ratio_q_P2_u_P1_of_place_2,
+                            )))
+        + cos_q_P3
+            * (cos_q_p2_cos_q_p4 * (ratio_q_P2_u_P1_of_q_p5_2 - ratio_q_P2_u_P1_of_q_p4_q_p5_8)
+                + ratio_q_P2_u_P1_of_place_2)
+        + cos_q_P4 * cos_q_P5
+            * x_rod2_frame_in_rod3_frame_3_4
+                .mul_add(ratio_q_P2_u_P1_of_q_p4_q_p5_7, ratio_q_P2_u_P1_of_place_3);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5 = S::int(1) - cos_q_p3_cos_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_11 = ratio_q_P2_u_P1_of_q_p4_q_p5_7 - S::int(1);
+    let ratio_q_P2_u_P1_of_place_5 = ratio_q_P2_u_P1_of_q_p4_q_p5_11 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_6 = -ratio_q_P2_u_P1_of_q_p3_q_p5 - ratio_q_P2_u_P1_of_place_5;
+    let ratio_q_P2_u_P1_of_place_7 = ratio_q_P2_u_P1_of_place_6
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_q_p4_q_p5_2 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_place_8 = S::int(1) + ratio_q_P2_u_P1_of_place_7;
+    let ratio_q_P2_u_P1_of_place_9 = ratio_q_P2_u_P1_of_q_p4_q_p5_11
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
+    let ratio_q_P2_u_P1_of_place_10 = ratio_q_P2_u_P1_of_place_9
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_8 * sin_q_P1);
+    let l_sq = l * l;
+    let ratio_q_P2_u_P1_of_place_11 = ratio_q_P2_u_P1_of_place_3
+        .mul_add(sin_q_P3, ratio_q_P2_u_P1_of_q_p4_q_p5_7 * cos_q_P2);
+    let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
     let x_rod1_frame_in_rod2_frame_2_3 = sin_q_P1 * sin_q_P2;
     let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
     let x_rod2_frame_in_rod3_frame_2_5 = x_rod1_frame_in_rod2_frame_2_3
         .mul_add(cos_q_P3, sin_q_p3_cos_q_p1);
-    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
     let sin_q_p2_sin_q_p4 = sin_q_P2 * sin_q_P4;
-    let ratio_q_P1_u_P4_of_place_5 = sin_q_p2_sin_q_p4
+    let ratio_q_P2_u_P1_of_place_12 = sin_q_p2_sin_q_p4
         .mul_add(sin_q_P3, -cos_q_p2_cos_q_p4);
-    let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_6 = x_rod2_frame_in_rod3_frame_2_5 * cos_q_P5;
-    let ratio_q_P1_u_P4_of_place_7 = ratio_q_P1_u_P4_of_place_6
-        + sin_q_P5
-            * (-ratio_q_P1_u_P4_of_place_5)
-                .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4);
-    let x_rod1_frame_in_N_3 = l * sin_q_P1;
-    let sin_q_p3_sin_q_p5 = sin_q_P3 * sin_q_P5;
-    let ratio_q_P1_u_P4_of_place_8 = cos_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, -sin_q_p3_sin_q_p5);
-    let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
-    let cos_q_p3_sin_q_p5 = cos_q_P3 * sin_q_P5;
-    let ratio_q_P1_u_P4_of_place_9 = sin_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, cos_q_p3_sin_q_p5);
-    let ratio_q_P1_u_P4_of_place_10 = (-ratio_q_P1_u_P4_of_place_9)
+    let ratio_q_P2_u_P1_of_place_13 = x_rod2_frame_in_rod3_frame_2_5 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_14 = l
+        * (ratio_q_P2_u_P1_of_place_13
+            + sin_q_P5
+                * (-ratio_q_P2_u_P1_of_place_12)
+                    .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4));
+    let ratio_q_P2_u_P1_of_place_15 = (-sin_q_P3)
+        .mul_add(sin_q_P5, cos_q_p3_cos_q_p5 * sin_q_P4);
+    let x_N_in_rod1_frame_3_3_of_place = sin_q_p3_cos_q_p5
+        .mul_add(sin_q_P4, cos_q_P3 * sin_q_P5);
+    let ratio_q_P2_u_P1_of_place_16 = (-x_N_in_rod1_frame_3_3_of_place)
         .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
-    let ratio_q_P1_u_P4_of_place_11 = ratio_q_P1_u_P4_of_place_10
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_8 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_12 = ratio_q_P1_u_P4_of_place_9
+    let ratio_q_P2_u_P1_of_place_17 = ratio_q_P2_u_P1_of_place_16
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_15 * cos_q_P1);
+    let cos_q_p2_sin_q_p4 = cos_q_P2 * sin_q_P4;
+    let ratio_q_P2_u_P1_of_place_18 = cos_q_p3_cos_q_p1 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_place_19 = cos_q_P5
+        * (ratio_q_P2_u_P1_of_place_18
+            - sin_q_P1 * sin_q_p2_cos_q_p4.mul_add(sin_q_P3, cos_q_p2_sin_q_p4));
+    let ratio_q_P2_u_P1_of_place_20 = l * ratio_q_P2_u_P1_of_place_19;
+    let ratio_q_P2_u_P1_of_place_21 = l * ratio_q_P2_u_P1_of_place_7;
+    let x_N_in_rod1_frame_3_3_of_place_2 = x_N_in_rod1_frame_3_3_of_place
         .mul_add(cos_q_P2, sin_q_p2_cos_q_p4 * cos_q_P5);
-    let ratio_q_P1_u_P4_of_place_13 = x_rod1_frame_in_N_3 * ratio_q_P1_u_P4_of_place_12;
-    let ratio_q_P1_u_P4_of_place_14 = (-ratio_q_P1_u_P4_of_place_11)
+    let ratio_q_P2_u_P1_of_place_22 = l * x_N_in_rod1_frame_3_3_of_place_2;
+    let ratio_q_P2_u_P1_of_place_23 = ratio_q_P2_u_P1_of_place_6
+        .mul_add(cos_q_P2, -ratio_q_P2_u_P1_of_place_3);
+    let ratio_q_P2_u_P1_of_place_24 = sin_q_P1
+        * (-ratio_q_P2_u_P1_of_place_17)
+            .mul_add(
+                ratio_q_P2_u_P1_of_place_22,
+                ratio_q_P2_u_P1_of_place_14 * ratio_q_P2_u_P1_of_place_23,
+            );
+    let ratio_q_P2_u_P1_of_place_25 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_7)
         .mul_add(
-            ratio_q_P1_u_P4_of_place_13,
-            x_rod1_frame_in_N_3 * ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_of_place_7,
+            sin_q_P2,
+            x_rod2_frame_in_rod3_frame_3_4 * ratio_q_P2_u_P1_of_q_p4_q_p5_2,
         );
-    let ratio_q_P1_u_P4_of_place_15 = ratio_q_P1_u_P4_of_q_p4_q_p5_2
-        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
-    let ratio_q_P1_u_P4_of_place_16 = ratio_q_P1_u_P4_of_place_15 * cos_q_P2;
-    let ratio_q_P1_u_P4_of_place_17 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_p2_cos_q_p4;
-    let ratio_q_P1_u_P4_of_place_18 = ratio_q_P1_u_P4_of_place_3
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_17);
-    let ratio_q_P1_u_P4_of_q_p4 = S::int(1) + sin_q_P4;
-    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_3 = cos_q_p4_sq
-        + sin_q_P5 * (ratio_q_P1_u_P4_of_q_p4 - cos_q_p4_sq);
-    let ratio_q_P1_u_P4_of_place_19 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_20 = cos_q_p2_cos_q_p4 * (sin_q_P5 + ratio_q_P1_u_P4_of_q_p4_q_p5);
-    let ratio_q_P1_u_P4_of_place_21 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_22 = sin_q_p3_cos_q_p5 * ratio_q_P1_u_P4_of_q_p4;
-    let l_sq = l * l;
-    let ratio_q_P1_u_P4_of_place_23 = -l_sq
+    let ratio_q_P2_u_P1_of_place_26 = l * ratio_q_P2_u_P1_of_place_25;
+    let x_rod1_frame_in_rod2_frame_1_3 = sin_q_P1 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_q_p3 = sin_q_P3 - S::int(1);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_2 = ratio_q_P2_u_P1_of_q_p5_5 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_3 = (-ratio_q_P2_u_P1_of_q_p3)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_q_p3_q_p5_2);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_4 = ratio_q_P2_u_P1_of_q_p5_5 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_27 = x_rod1_frame_in_rod2_frame_1_3
+        * ratio_q_P2_u_P1_of_q_p4_q_p5_7;
+    let ratio_q_P2_u_P1_of_place_28 = x_rod1_frame_in_rod2_frame_1_3 * l_sq
+        * (sin_q_P1 * cos_q_P5
+            * (cos_q_p2_sin_q_p4
+                - sin_q_P3
+                    * sin_q_p2_cos_q_p4
+                        .mul_add(ratio_q_P2_u_P1_of_q_p3, cos_q_p2_sin_q_p4))
+            + cos_q_P3
+                * (cos_q_P4
+                    * (-ratio_q_P2_u_P1_of_q_p3_q_p5_3)
+                        .mul_add(
+                            cos_q_P1,
+                            x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P2_u_P1_of_q_p3_q_p5_4,
+                        ) + ratio_q_P2_u_P1_of_place_27));
+    let ratio_q_P2_u_P1_of_place_29 = ratio_q_P2_u_P1_of_place_21
+        * (ratio_q_P2_u_P1_of_place_14
+            * (-ratio_q_P2_u_P1_of_q_p4_q_p5_2)
+                .mul_add(cos_q_p3_cos_q_p1, ratio_q_P2_u_P1_of_place_11 * sin_q_P1)
+            - ratio_q_P2_u_P1_of_place_17 * ratio_q_P2_u_P1_of_place_20)
+        + ratio_q_P2_u_P1_of_place_24 * ratio_q_P2_u_P1_of_place_26
+        + x_N_in_rod1_frame_3_3_of_place_2 * ratio_q_P2_u_P1_of_place_28;
+    let x_rod1_frame_in_rod2_frame_2_2 = cos_q_P1 * sin_q_P2;
+    let ratio_q_P2_u_P1_of_place_30 = l
+        * (sin_q_P1 * (cos_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_place_5)
+            + x_rod1_frame_in_rod2_frame_2_2 * ratio_q_P2_u_P1_of_place_9);
+    let ratio_q_P2_u_P1_of_place_31 = ratio_q_P2_u_P1_of_place_9 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_12 = cos_q_p4_sq
+        + sin_q_P5 * (ratio_q_P2_u_P1_of_q_p4 - cos_q_p4_sq);
+    let ratio_q_P2_u_P1_of_place_32 = ratio_q_P2_u_P1_of_q_p4_q_p5_12 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_13 = sin_q_P5 + ratio_q_P2_u_P1_of_q_p4_q_p5_7;
+    let ratio_q_P2_u_P1_of_place_33 = cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p4_q_p5_13;
+    let ratio_q_P2_u_P1_of_place_34 = ratio_q_P2_u_P1_of_q_p4_q_p5_12 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_35 = ratio_q_P2_u_P1_of_q_p4 * sin_q_p3_cos_q_p5;
+    let ratio_q_P2_u_P1_of_place_36 = ratio_q_P2_u_P1_of_place_7 * l_sq;
+    let x_N_in_rod1_frame_3_3 = x_N_in_rod1_frame_3_3_of_place_2 * sin_q_P1;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_5 = cos_q_p3_cos_q_p5 + ratio_q_P2_u_P1_of_q_p3_q_p5_4;
+    let ratio_q_P2_u_P1_of_place_37 = cos_q_P1
+        * (sin_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p3_q_p5_2);
+    let x_rod1_frame_in_rod2_frame_1_2 = cos_q_P1 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_38 = l_sq
+        * (sin_q_P2
+            * (sin_q_P1
+                * (cos_q_P2
+                    * (sin_q_P4 * (ratio_q_P2_u_P1_of_q_p5 - cos_q_p3_cos_q_p5)
+                        + ratio_q_P2_u_P1_of_q_p3 * sin_q_P5)
+                    - sin_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p3_q_p5_5)
+                - ratio_q_P2_u_P1_of_place_37 * cos_q_P4)
+            - x_rod1_frame_in_rod2_frame_1_2 * x_N_in_rod1_frame_3_3_of_place);
+    let ratio_q_P2_u_P1_of_place_39 = -ratio_q_P2_u_P1_of_place_36
         * (sin_q_p3_cos_q_p1 * cos_q_P1
-            * (ratio_q_P1_u_P4_of_place_21 + ratio_q_P1_u_P4_of_place_22)
+            * (ratio_q_P2_u_P1_of_place_34 + ratio_q_P2_u_P1_of_place_35)
             + sin_q_P1
                 * (sin_q_P2
                     * (cos_q_P3
                         * (sin_q_P1
                             * (sin_q_P2
-                                * cos_q_p3_cos_q_p5
-                                    .mul_add(
-                                        ratio_q_P1_u_P4_of_q_p4, -ratio_q_P1_u_P4_of_place_19,
-                                    ) + ratio_q_P1_u_P4_of_place_20)
+                                * ratio_q_P2_u_P1_of_q_p4
+                                    .mul_add(cos_q_p3_cos_q_p5, -ratio_q_P2_u_P1_of_place_32)
+                                + ratio_q_P2_u_P1_of_place_33)
                             + cos_q_P1
-                                * ratio_q_P1_u_P4_of_place_22
-                                    .mul_add(S::int(2), ratio_q_P1_u_P4_of_place_21))
-                        - sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_of_place_19)
-                    + sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_of_place_20));
-    let ratio_q_P1_u_P4_of_place_24 = sin_q_P5 * (S::int(1) - sin_q_P3)
-        + sin_q_P4 * (sin_q_P5 - ratio_q_P1_u_P4_of_q_p3_q_p5);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_2 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_3 = cos_q_p3_cos_q_p5 + ratio_q_P1_u_P4_of_q_p3_q_p5_2;
-    let ratio_q_P1_u_P4_of_place_25 = sin_q_p2_cos_q_p4
-        .mul_add(ratio_q_P1_u_P4_of_q_p3_q_p5_3, ratio_q_P1_u_P4_of_place_24 * cos_q_P2);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_4 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_26 = ratio_q_P1_u_P4_of_place_9 * cos_q_P1;
-    let sin_q_p1_l_sq = l_sq * sin_q_P1;
-    let ratio_q_P1_u_P4_of_place_27 = sin_q_p1_l_sq
-        * (sin_q_P2
-            * (cos_q_P1 * cos_q_P4 * (sin_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_4)
-                + ratio_q_P1_u_P4_of_place_25 * sin_q_P1) + ratio_q_P1_u_P4_of_place_26 * cos_q_P2);
-    let ratio_q_P1_u_P4_of_place_28 = ratio_q_P1_u_P4_of_place_18
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_23,
-            l * ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_of_place_16,
-        ) + ratio_q_P1_u_P4_of_place_12 * ratio_q_P1_u_P4_of_place_27;
-    let ratio_q_P1_u_P4_of_place_29 = sin_q_p2_cos_q_p4
-        .mul_add(
-            ratio_q_P1_u_P4_of_q_p3_q_p5_2,
-            ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_P2,
-        );
+                                * ratio_q_P2_u_P1_of_place_35
+                                    .mul_add(S::int(2), ratio_q_P2_u_P1_of_place_34))
+                        - sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_of_place_32)
+                    + sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_of_place_33))
+        + l * ratio_q_P2_u_P1_of_place_24 * ratio_q_P2_u_P1_of_place_31
+        - x_N_in_rod1_frame_3_3 * ratio_q_P2_u_P1_of_place_38;
     let cos_q_p3_sin_q_p1 = sin_q_P1 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_4 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_30 = S::int(1) + ratio_q_P1_u_P4_of_place_18;
-    let ratio_q_P1_u_P4_of_place_31 = ratio_q_P1_u_P4_of_place_30
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_15 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_32 = l * ratio_q_P1_u_P4_of_place_31;
-    let sin_q_p3_sin_q_p1 = sin_q_P1 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_33 = sin_q_P5
-        * (-cos_q_p3_cos_q_p1).mul_add(sin_q_P2, sin_q_p3_sin_q_p1)
-        - cos_q_P5 * cos_q_p3_sin_q_p1.mul_add(sin_q_P4, ratio_q_P1_u_P4_of_place_5 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_34 = (-ratio_q_P1_u_P4_of_place_15)
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_30 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_35 = l * ratio_q_P1_u_P4_of_place_7;
-    let ratio_q_P1_u_P4_of_place_36 = l
-        * ratio_q_P1_u_P4_of_place_34
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_35,
-                l * ratio_q_P1_u_P4_of_place_11 * ratio_q_P1_u_P4_of_place_33,
-            );
-    let ratio_q_P1_u_P4_of_q_p2 = S::int(1) - sin_q_P2;
-    let ratio_q_P1_u_P4_of_place_37 = sin_q_p1_l_sq
-        * (cos_q_P4
-            * (cos_q_P1
-                * (ratio_q_P1_u_P4_of_q_p3_q_p5_4 + cos_q_P5 * (ratio_q_P1_u_P4_of_q_p2 - sin_q_P3))
-                - x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P1_u_P4_of_q_p3_q_p5_3)
-            - cos_q_P2
-                * ratio_q_P1_u_P4_of_place_24
-                    .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_26));
-    let ratio_q_P1_u_P4_of_place_38 = ratio_q_P1_u_P4_of_place_12
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_37,
-            ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_of_place_36,
-        );
-    let ratio_q_P1_u_P4_of_place_39 = cos_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_place;
-    let x_rod1_frame_in_rod2_frame_2_2 = cos_q_P1 * sin_q_P2;
-    let ratio_q_P1_u_P4_of_place_40 = ratio_q_P1_u_P4_of_place_39
-        .mul_add(sin_q_P1, x_rod1_frame_in_rod2_frame_2_2 * ratio_q_P1_u_P4_of_place_15);
-    let ratio_q_P1_u_P4_of_place_41 = l * ratio_q_P1_u_P4_of_place_40;
-    let ratio_q_P1_u_P4_of_q_p2_2 = -ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_place_42 = -l_sq * cos_q_P1
+    let ratio_q_P2_u_P1_of_place_40 = l
+        * ratio_q_P2_u_P1_of_q_p4_q_p5_2
+            .mul_add(cos_q_p3_sin_q_p1, ratio_q_P2_u_P1_of_place_11 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_41 = x_rod1_frame_in_rod2_frame_1_3 * sin_q_P4;
+    let ratio_q_P2_u_P1_of_place_42 = ratio_q_P2_u_P1_of_place_25 * sin_q_P1;
+    let ratio_q_P2_u_P1_of_place_43 = ratio_q_P2_u_P1_of_place_36
         * (sin_q_P1
-            * (-ratio_q_P1_u_P4_of_place_8)
-                .mul_add(ratio_q_P1_u_P4_of_q_p2, ratio_q_P1_u_P4_of_place_25 * cos_q_P2)
-            + cos_q_P1
-                * (cos_q_P3
-                    * (cos_q_p2_cos_q_p4 + sin_q_P5 * (ratio_q_P1_u_P4_of_q_p2 - cos_q_p2_cos_q_p4))
-                    + sin_q_p3_cos_q_p5
-                        * (-ratio_q_P1_u_P4_of_q_p2_2)
-                            .mul_add(sin_q_P4, cos_q_p2_cos_q_p4)));
-    let ratio_q_P1_u_P4_of_place_43 = (-ratio_q_P1_u_P4_of_place_16)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_37,
-            ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_of_place_42,
-        );
-    let ratio_q_P1_u_P4_of_place_44 = (-ratio_q_P1_u_P4_of_place_10)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_8 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_45 = l * ratio_q_P1_u_P4_of_place_44;
-    let ratio_q_P1_u_P4_of_place_46 = ratio_q_P1_u_P4_of_place_12
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_42,
-            ratio_q_P1_u_P4_of_place_16 * ratio_q_P1_u_P4_of_place_36,
-        );
-    let ratio_q_P1_u_P4_of_place_47 = ratio_q_P1_u_P4_of_place_4 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_48 = l * ratio_q_P1_u_P4_of_place_47;
-    let ratio_q_P1_u_P4_of_place_49 = S::int(1)
-        / (ratio_q_P1_u_P4_of_place_38
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_41,
-                ratio_q_P1_u_P4_of_place_28 * ratio_q_P1_u_P4_of_place_32,
-            ) + ratio_q_P1_u_P4_of_place_43 * ratio_q_P1_u_P4_of_place_45
-            + ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_of_place_48);
-    let ratio_q_P1_u_P4_of_place_50 = l * ratio_q_P1_u_P4_of_place_49;
-    let ratio_q_P1_u_P4_of_place_51 = ratio_q_P1_u_P4_of_place_50
-        * cos_q_p3_sin_q_p1
-            .mul_add(
-                ratio_q_P1_u_P4_of_q_p4_q_p5_4,
-                ratio_q_P1_u_P4_of_place_29 * cos_q_P1,
-            );
-    let ratio_q_P1_u_P4_of_place_52 = ratio_q_P1_u_P4_of_place_50
-        * (-ratio_q_P1_u_P4_of_q_p4_q_p5)
-            .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_17 * sin_q_P3);
-    let ratio_q_P1_u_P4_of_place_53 = (-ratio_q_P1_u_P4_of_place_12)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_13,
-            ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_of_place_35,
-        );
-    let ratio_q_P1_u_P4_of_place_54 = l
-        * x_rod1_frame_in_rod2_frame_2_3
-            .mul_add(ratio_q_P1_u_P4_of_place_8, ratio_q_P1_u_P4_of_place_26);
-    let ratio_q_P1_u_P4_of_place_55 = (-ratio_q_P1_u_P4_of_place_13)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_16,
-            ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_of_place_54,
-        );
-    let ratio_q_P1_u_P4_of_place_56 = (-ratio_q_P1_u_P4_of_place_12)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_54,
-            ratio_q_P1_u_P4_of_place_16 * ratio_q_P1_u_P4_of_place_35,
-        );
-    let ratio_q_P1_u_P4_of_place_57 = ratio_q_P1_u_P4_of_place_50
-        * (-cos_q_p3_cos_q_p1)
-            .mul_add(
-                ratio_q_P1_u_P4_of_q_p4_q_p5_4,
-                ratio_q_P1_u_P4_of_place_29 * sin_q_P1,
-            );
-    let ratio_q_P1_u_P4_of_q_p5_3 = S::int(2) - sin_q_P5;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_5 = sin_q_P3 + cos_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_of_place_58 = cos_q_P5
-        * (-sin_q_P1 * sin_q_p2_cos_q_p4.mul_add(sin_q_P3, cos_q_P2 * sin_q_P4)
-            + cos_q_p3_cos_q_p1 * cos_q_P4);
-    let ratio_q_P1_u_P4_of_place_59 = l_sq * ratio_q_P1_u_P4_of_place_50
-        * ratio_q_P1_u_P4_of_place_58;
-    let ratio_q_P1_u_P4_of_place_60 = ratio_q_P1_u_P4_of_place_59 * cos_q_P5;
-    let ratio_q_P1_u_P4 = ratio_q_P1_u_P4_of_place_52
-        * ((-ratio_q_P1_u_P4_of_place_14)
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_41,
-                ratio_q_P1_u_P4_of_place_23 * ratio_q_P1_u_P4_of_place_47,
-            ) - ratio_q_P1_u_P4_of_place_27 * ratio_q_P1_u_P4_of_place_44)
-        + ratio_q_P1_u_P4_of_place_28 * ratio_q_P1_u_P4_of_place_51
-        + ratio_q_P1_u_P4_of_place_57
-            * ((-ratio_q_P1_u_P4_of_place_41)
-                .mul_add(
-                    ratio_q_P1_u_P4_of_place_53,
-                    ratio_q_P1_u_P4_of_place_45 * ratio_q_P1_u_P4_of_place_55,
-                ) - ratio_q_P1_u_P4_of_place_48 * ratio_q_P1_u_P4_of_place_56)
-        + ratio_q_P1_u_P4_of_place_60
-            * (sin_q_P5
-                + sin_q_P4
-                    * (ratio_q_P1_u_P4_of_q_p3_q_p5 - ratio_q_P1_u_P4_of_q_p4_q_p5
-                        + sin_q_P3 * (ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p5_3))
-                - ratio_q_P1_u_P4_of_q_p3_q_p5_5);
-    let ratio_q_P2_u_P4_of_place = l_sq * ratio_q_P1_u_P4_of_place_33;
-    let ratio_q_P2_u_P4_of_place_2 = -sin_q_P4
-        * ratio_q_P1_u_P4_of_q_p5_2.mul_add(sin_q_P2, ratio_q_P1_u_P4_of_q_p5)
-        - ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P2_u_P4 = -ratio_q_P1_u_P4_of_place_52
-        * (ratio_q_P1_u_P4_of_place_36
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_40,
-                ratio_q_P1_u_P4_of_place_23 * ratio_q_P1_u_P4_of_place_31,
-            ) + ratio_q_P1_u_P4_of_place_42 * ratio_q_P1_u_P4_of_place_44)
-        + ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_of_place_51
-        + ratio_q_P1_u_P4_of_place_57
-            * (ratio_q_P2_u_P4_of_place
-                * (-ratio_q_P1_u_P4_of_place_12)
-                    .mul_add(
-                        ratio_q_P1_u_P4_of_place_40,
-                        ratio_q_P1_u_P4_of_place_16 * ratio_q_P1_u_P4_of_place_44,
-                    ) + ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_of_place_56)
-        + ratio_q_P1_u_P4_of_place_60
-            * (sin_q_p3_cos_q_p5
-                * ratio_q_P1_u_P4_of_q_p2_2
-                    .mul_add(cos_q_P4, ratio_q_P1_u_P4_of_q_p4 * cos_q_P2)
-                - cos_q_P3
-                    * (cos_q_P2
-                        * ratio_q_P1_u_P4_of_q_p5_3
-                            .mul_add(sin_q_P4, ratio_q_P1_u_P4_of_q_p5_3)
+            * (sin_q_P2
+                * (sin_q_P3
+                    * (ratio_q_P2_u_P1_of_place_27
                         + cos_q_P4
-                            * (ratio_q_P1_u_P4_of_place_17 + ratio_q_P2_u_P4_of_place_2)));
-    let ratio_q_P3_u_P4 = ratio_q_P1_u_P4_of_place_52
-        * ((-ratio_q_P1_u_P4_of_place_37)
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_44,
-                ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_of_place_32,
-            ) + ratio_q_P1_u_P4_of_place_36 * ratio_q_P1_u_P4_of_place_47)
-        + ratio_q_P1_u_P4_of_place_38 * ratio_q_P1_u_P4_of_place_51
-        + ratio_q_P1_u_P4_of_place_57
-            * (ratio_q_P2_u_P4_of_place
-                * ratio_q_P1_u_P4_of_place_12
-                    .mul_add(
-                        ratio_q_P1_u_P4_of_place_47,
-                        ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_of_place_44,
-                    ) + ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_of_place_53)
-        + ratio_q_P1_u_P4_of_place_59
-            * (cos_q_P5
-                * (S::int(1) - sin_q_p3_sin_q_p5 * sin_q_P3
-                    + sin_q_P2
-                        * (sin_q_P3 * (S::int(1) + sin_q_p3_sin_q_p5) - sin_q_P5
-                            - ratio_q_P1_u_P4_of_q_p3_q_p5) + ratio_q_P1_u_P4_of_place_17
-                    + sin_q_P4
-                        * (ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5 * sin_q_P2
-                            + ratio_q_P1_u_P4_of_place_17
-                            - sin_q_P3
-                                * (ratio_q_P1_u_P4_of_place_2 + ratio_q_P1_u_P4_of_place_17
-                                    + sin_q_P2
-                                        * (sin_q_P5 - S::int(3)
-                                            - sin_q_P4
-                                                * (ratio_q_P1_u_P4_of_q_p5 + ratio_q_P1_u_P4_of_q_p3_q_p5_2)
-                                            + ratio_q_P1_u_P4_of_q_p3_q_p5_5))))
-                - cos_q_p3_sin_q_p5
-                    * ratio_q_P2_u_P4_of_place_2
-                        .mul_add(
-                            sin_q_P3,
-                            ratio_q_P1_u_P4_of_place_17 + ratio_q_P1_u_P4_of_q_p2,
-                        ));
-    let ratio_q_P5_u_P4_of_place = ratio_q_P1_u_P4_of_place_16
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_47,
-            ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_of_place_40,
-        );
-    let ratio_q_P5_u_P4 = ratio_q_P1_u_P4_of_place_52
-        * (ratio_q_P1_u_P4_of_place_37
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_40,
-                ratio_q_P1_u_P4_of_place_27 * ratio_q_P1_u_P4_of_place_31,
-            ) + ratio_q_P1_u_P4_of_place_42 * ratio_q_P1_u_P4_of_place_47)
-        + ratio_q_P1_u_P4_of_place_43 * ratio_q_P1_u_P4_of_place_51
-        - ratio_q_P1_u_P4_of_place_49 * ratio_q_P1_u_P4_of_place_58
-            * (ratio_q_P1_u_P4_of_place_32
-                * (-ratio_q_P1_u_P4_of_place_18 * l_sq
-                    * (-x_rod1_frame_in_rod2_frame_2_3)
-                        .mul_add(
-                            ratio_q_P1_u_P4_of_place_15,
-                            ratio_q_P1_u_P4_of_place_39 * cos_q_P1,
-                        )
-                    + ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_of_place_16 * sin_q_p1_l_sq)
-                + l * l_sq * ratio_q_P1_u_P4_of_place_34 * ratio_q_P5_u_P4_of_place)
-        - ratio_q_P1_u_P4_of_place_57
-            * ratio_q_P2_u_P4_of_place
-                .mul_add(
-                    ratio_q_P5_u_P4_of_place,
-                    ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_of_place_55,
-                );
-    let x_rod1_frame_in_rod2_frame_3 = l * ratio_q_P1_u_P4;
-    let x_rod1_frame_3_2 = m * x_rod1_frame_in_rod2_frame_3;
+                            * (cos_q_P1
+                                * (-ratio_q_P2_u_P1_of_q_p3_q_p5_2)
+                                    .mul_add(S::int(2), sin_q_p3_cos_q_p5)
+                                + x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P2_u_P1_of_q_p3_q_p5_5))
+                    + cos_q_p3_cos_q_p5
+                        * (ratio_q_P2_u_P1_of_place_41 - ratio_q_P2_u_P1_of_place_18))
+                + cos_q_p2_sin_q_p4 * ratio_q_P2_u_P1_of_place_37)
+            - ratio_q_P2_u_P1_of_place_18 * ratio_q_P2_u_P1_of_place_37)
+        + ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_of_place_31
+        + ratio_q_P2_u_P1_of_place_38 * ratio_q_P2_u_P1_of_place_42;
+    let ratio_q_P2_u_P1_of_place_44 = (-ratio_q_P2_u_P1_of_place_16)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_15 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_45 = l * ratio_q_P2_u_P1_of_place_44;
     let x_rod1_frame_in_N_1 = l * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_46 = x_rod1_frame_in_N_1 * ratio_q_P2_u_P1_of_place_23;
+    let ratio_q_P2_u_P1_of_place_47 = l
+        / ((-ratio_q_P2_u_P1_of_place_29)
+            .mul_add(
+                ratio_q_P2_u_P1_of_place_30,
+                ratio_q_P2_u_P1_of_place_39 * ratio_q_P2_u_P1_of_place_40,
+            ) + ratio_q_P2_u_P1_of_place_43 * ratio_q_P2_u_P1_of_place_45
+            + ratio_q_P2_u_P1_of_place_4 * l_sq * ratio_q_P2_u_P1_of_place_46);
+    let ratio_q_P2_u_P1_of_place_48 = l_sq * ratio_q_P2_u_P1_of_place_47;
+    let ratio_q_P2_u_P1_of_place_49 = ratio_q_P2_u_P1_of_place_14
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_25,
+            ratio_q_P2_u_P1_of_place_19 * ratio_q_P2_u_P1_of_place_22,
+        );
+    let ratio_q_P2_u_P1_of_place_50 = x_N_in_rod1_frame_3_3_of_place
+        .mul_add(cos_q_P1, x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P2_u_P1_of_place_15);
+    let ratio_q_P2_u_P1_of_place_51 = (-ratio_q_P2_u_P1_of_place_22)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_50,
+            ratio_q_P2_u_P1_of_place_14 * ratio_q_P2_u_P1_of_place_31,
+        );
+    let ratio_q_P2_u_P1_of_place_52 = ratio_q_P2_u_P1_of_place_26
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_50,
+            ratio_q_P2_u_P1_of_place_20 * ratio_q_P2_u_P1_of_place_31,
+        );
+    let ratio_q_P2_u_P1_of_place_53 = ratio_q_P2_u_P1_of_place_47
+        * (-ratio_q_P2_u_P1_of_place_9)
+            .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_8 * cos_q_P1);
+    let sin_q_p3_sin_q_p1 = sin_q_P1 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_54 = ratio_q_P2_u_P1_of_place_48
+        * (sin_q_P5 * (-cos_q_p3_cos_q_p1).mul_add(sin_q_P2, sin_q_p3_sin_q_p1)
+            - cos_q_P5
+                * cos_q_p3_sin_q_p1
+                    .mul_add(sin_q_P4, ratio_q_P2_u_P1_of_place_12 * cos_q_P1));
+    let ratio_q_P2_u_P1_of_place_55 = ratio_q_P2_u_P1_of_place_54 * cos_q_P5;
+    let ratio_q_P2_u_P1 = ratio_q_P2_u_P1_of_place_53
+        * ((-ratio_q_P2_u_P1_of_place_40)
+            .mul_add(
+                ratio_q_P2_u_P1_of_place_51,
+                ratio_q_P2_u_P1_of_place_30 * ratio_q_P2_u_P1_of_place_49,
+            ) - ratio_q_P2_u_P1_of_place_45 * ratio_q_P2_u_P1_of_place_52)
+        + ratio_q_P2_u_P1_of_place_4 * ratio_q_P2_u_P1_of_place_10 * ratio_q_P2_u_P1_of_place_48
+        + ratio_q_P2_u_P1_of_place_55 * (ratio_q_P2_u_P1_of_q_p4_q_p5_7 - ratio_q_P2_u_P1_of_q_p5);
+    let ratio_q_P3_u_P1_of_place = (-x_N_in_rod1_frame_3_3)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_22,
+            ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_of_place_14,
+        );
+    let ratio_q_P3_u_P1_of_place_2 = ratio_q_P2_u_P1_of_place_22
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_42,
+            ratio_q_P2_u_P1_of_place_19 * ratio_q_P2_u_P1_of_place_21,
+        );
+    let ratio_q_P3_u_P1_of_place_3 = ratio_q_P2_u_P1_of_place_10 * ratio_q_P2_u_P1_of_place_47;
+    let ratio_q_P3_u_P1_of_place_4 = ratio_q_P2_u_P1_of_place_54 * cos_q_P4;
+    let ratio_q_P3_u_P1 = ratio_q_P2_u_P1_of_place_53
+        * (ratio_q_P2_u_P1_of_place_40
+            .mul_add(
+                ratio_q_P3_u_P1_of_place,
+                ratio_q_P2_u_P1_of_place_46 * ratio_q_P2_u_P1_of_place_49,
+            ) + ratio_q_P2_u_P1_of_place_45 * ratio_q_P3_u_P1_of_place_2)
+        + ratio_q_P2_u_P1_of_place_29 * ratio_q_P3_u_P1_of_place_3
+        + ratio_q_P3_u_P1_of_place_4
+            * ((-ratio_q_P2_u_P1_of_q_p3_q_p5_3)
+                .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_q_p5) + ratio_q_P2_u_P1_of_q_p3_q_p5_4);
+    let ratio_q_P4_u_P1_of_place = (-(x_rod1_frame_in_rod2_frame_1_3 * ratio_q_P2_u_P1_of_place_9))
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_22,
+            ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_of_place_50,
+        );
+    let ratio_q_P4_u_P1 = ratio_q_P2_u_P1_of_place_55
+        * (sin_q_P5 - sin_q_P3 - cos_q_p3_cos_q_p5
+            - sin_q_P4
+                * (ratio_q_P2_u_P1_of_q_p4_q_p5_7 - ratio_q_P2_u_P1_of_q_p3_q_p5
+                    + sin_q_P3 * (S::int(2) - ratio_q_P2_u_P1_of_q_p4_q_p5_13)))
+        + ratio_q_P2_u_P1_of_place_39 * ratio_q_P3_u_P1_of_place_3
+        + ratio_q_P2_u_P1_of_place_53
+            * (ratio_q_P2_u_P1_of_place_30
+                .mul_add(
+                    ratio_q_P3_u_P1_of_place,
+                    ratio_q_P2_u_P1_of_place_46 * ratio_q_P2_u_P1_of_place_51,
+                ) - ratio_q_P2_u_P1_of_place_45 * ratio_q_P4_u_P1_of_place);
+    let ratio_q_P5_u_P1 = ratio_q_P3_u_P1_of_place_4
+        * (sin_q_P4 * ratio_q_P2_u_P1_of_q_p5_3.mul_add(sin_q_P3, ratio_q_P2_u_P1_of_q_p5_2)
+            + ratio_q_P2_u_P1_of_q_p5 * (ratio_q_P2_u_P1_of_q_p3_q_p5 - sin_q_P3))
+        + ratio_q_P2_u_P1_of_place_43 * ratio_q_P3_u_P1_of_place_3
+        + ratio_q_P2_u_P1_of_place_53
+            * (ratio_q_P2_u_P1_of_place_30
+                .mul_add(
+                    ratio_q_P3_u_P1_of_place_2,
+                    ratio_q_P2_u_P1_of_place_46 * ratio_q_P2_u_P1_of_place_52,
+                ) + ratio_q_P2_u_P1_of_place_40 * ratio_q_P4_u_P1_of_place);
+    let x_rod1_frame_3 = l * m;
+    let x_rod1_frame_in_N_3 = l * sin_q_P1;
     let x_N_in_rod1_frame_1 = (-x_rod1_frame_in_N_3)
         .mul_add(cos_q_P1, x_rod1_frame_in_N_1 * sin_q_P1);
-    let m_l_sq = m * l_sq;
-    let x_rod1_frame_2_3 = ratio_q_P1_u_P4 * m_l_sq;
+    let x_rod1_frame_2_2 = m * l_sq;
     let x_N_in_rod1_frame_3 = x_rod1_frame_in_N_3
         .mul_add(sin_q_P1, x_rod1_frame_in_N_1 * cos_q_P1);
-    let x_rod5_frame_1_3 = l * ratio_q_P2_u_P4;
+    let x_rod5_frame_1_3 = l * ratio_q_P2_u_P1;
     let x_rod2_frame_1_3 = m * x_rod5_frame_1_3;
-    let w_rod1_frame_in_rod2_frame_1_2 = ratio_q_P1_u_P4 * sin_q_P2;
-    let a_rod2_centre_3_2_of_place = l * w_rod1_frame_in_rod2_frame_1_2;
-    let a_rod2_centre_3_2 = (-x_rod1_frame_in_rod2_frame_3)
-        .mul_add(S::int(2), a_rod2_centre_3_2_of_place);
-    let x_rod2_frame_3_3 = m * a_rod2_centre_3_2;
-    let x_rod2_frame_1_4 = w_rod1_frame_in_rod2_frame_1_2 * m_l_sq;
     let x_rod2_frame_in_rod1_frame_1 = l * sin_q_P2;
+    let a_rod2_centre_3_2 = l.mul_add(S::int(2), -x_rod2_frame_in_rod1_frame_1);
+    let x_rod2_frame_3_3 = m * a_rod2_centre_3_2;
+    let x_rod2_frame_1_4 = x_rod1_frame_2_2 * sin_q_P2;
     let x_rod2_frame_in_rod1_frame_2 = l * cos_q_P2;
     let x_rod1_frame_in_rod2_frame_1 = x_rod2_frame_in_rod1_frame_2
         .mul_add(cos_q_P2, x_rod2_frame_in_rod1_frame_1 * sin_q_P2);
     let x_rod1_frame_in_rod2_frame_2 = (-x_rod2_frame_in_rod1_frame_1)
         .mul_add(cos_q_P2, x_rod2_frame_in_rod1_frame_2 * sin_q_P2);
-    let x_rod2_frame_3_4 = ratio_q_P2_u_P4 * m_l_sq;
-    let w_rod1_frame_in_rod2_frame_2_2 = ratio_q_P1_u_P4 * cos_q_P2;
-    let w_rod2_frame_in_rod3_frame_2_2 = (-w_rod1_frame_in_rod2_frame_2_2)
-        .mul_add(cos_q_P3, ratio_q_P2_u_P4 * sin_q_P3);
+    let x_rod2_frame_3_4 = ratio_q_P2_u_P1 * x_rod1_frame_2_2;
+    let x_rod2_frame_in_rod3_frame_2_4 = cos_q_P2 * cos_q_P3;
+    let w_rod2_frame_in_rod3_frame_2_2 = ratio_q_P2_u_P1
+        .mul_add(sin_q_P3, x_rod2_frame_in_rod3_frame_2_4);
     let a_rod3_centre_1_3_of_place = l * w_rod2_frame_in_rod3_frame_2_2;
     let a_rod3_centre_1_3 = (-x_rod5_frame_1_3)
         .mul_add(S::int(2), a_rod3_centre_1_3_of_place);
     let x_rod3_frame_1_3 = m * a_rod3_centre_1_3;
-    let w_rod3_frame_1_2 = ratio_q_P3_u_P4 + w_rod1_frame_in_rod2_frame_1_2;
-    let x_rod5_frame_3_3 = a_rod2_centre_3_2_of_place - x_rod1_frame_in_rod2_frame_3;
+    let w_rod3_frame_1_2 = sin_q_P2 + ratio_q_P3_u_P1;
+    let x_rod5_frame_3_3 = l - x_rod2_frame_in_rod1_frame_1;
     let x_rod2_frame_in_rod3_frame_2 = x_rod5_frame_3_3 * sin_q_P3;
     let l_w_rod3_frame_1_2 = l * w_rod3_frame_1_2;
-    let a_rod3_centre_2_3 = (-x_rod2_frame_in_rod3_frame_2)
+    let a_rod3_centre_2_3 = x_rod2_frame_in_rod3_frame_2
         .mul_add(S::int(2), l_w_rod3_frame_1_2);
     let x_rod3_frame_2_3 = m * a_rod3_centre_2_3;
     let x_rod2_frame_in_rod3_frame_3 = x_rod5_frame_3_3 * cos_q_P3;
     let x_rod3_frame_3_3 = m * x_rod2_frame_in_rod3_frame_3;
-    let x_rod3_frame_1_4 = w_rod3_frame_1_2 * m_l_sq;
+    let x_rod3_frame_1_4 = x_rod1_frame_2_2 * w_rod3_frame_1_2;
     let x_rod3_frame_in_rod2_frame_3 = l * cos_q_P3;
     let x_rod3_frame_in_rod2_frame_2 = l * sin_q_P3;
-    let x_rod3_frame_2_4 = w_rod2_frame_in_rod3_frame_2_2 * m_l_sq;
+    let x_rod3_frame_2_4 = x_rod1_frame_2_2 * w_rod2_frame_in_rod3_frame_2_2;
     let x_rod2_frame_in_rod3_frame_2_2 = x_rod3_frame_in_rod2_frame_2
         .mul_add(sin_q_P3, x_rod3_frame_in_rod2_frame_3 * cos_q_P3);
     let x_rod2_frame_in_rod3_frame_3_2 = (-x_rod3_frame_in_rod2_frame_2)
@@ -403,38 +394,37 @@ pub fn mass_matrix<S: Scalar>(
     let x_rod3_frame_in_rod4_frame_1 = x_rod5_frame_1_4
         .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3 * sin_q_P4);
     let x_rod4_frame_1_3 = m * x_rod3_frame_in_rod4_frame_1;
-    let w_rod2_frame_in_rod3_frame_3_2 = w_rod1_frame_in_rod2_frame_2_2
-        .mul_add(sin_q_P3, ratio_q_P2_u_P4 * cos_q_P3);
+    let w_rod2_frame_in_rod3_frame_3_2 = (-ratio_q_P2_u_P1)
+        .mul_add(cos_q_P3, x_rod2_frame_in_rod3_frame_3_4);
     let w_rod3_frame_in_rod4_frame_3_2 = (-w_rod3_frame_1_2)
         .mul_add(sin_q_P4, w_rod2_frame_in_rod3_frame_3_2 * cos_q_P4);
-    let x_rod5_frame_2_3 = l_w_rod3_frame_1_2 - x_rod2_frame_in_rod3_frame_2;
+    let x_rod5_frame_2_3 = x_rod2_frame_in_rod3_frame_2 + l_w_rod3_frame_1_2;
     let a_rod4_centre_2_3_of_place = l * w_rod3_frame_in_rod4_frame_3_2;
     let a_rod4_centre_2_3 = (-x_rod5_frame_2_3)
         .mul_add(S::int(2), a_rod4_centre_2_3_of_place);
     let x_rod4_frame_2_3 = m * a_rod4_centre_2_3;
-    let w_rod4_frame_2_2 = S::int(1) + w_rod2_frame_in_rod3_frame_2_2;
+    let w_rod4_frame_2_2 = ratio_q_P4_u_P1 - w_rod2_frame_in_rod3_frame_2_2;
     let x_rod3_frame_in_rod4_frame_3 = (-x_rod5_frame_1_4)
         .mul_add(sin_q_P4, x_rod2_frame_in_rod3_frame_3 * cos_q_P4);
     let l_w_rod4_frame_2_2 = l * w_rod4_frame_2_2;
-    let a_rod4_centre_3_3 = (-x_rod3_frame_in_rod4_frame_3)
+    let a_rod4_centre_3_3 = x_rod3_frame_in_rod4_frame_3
         .mul_add(S::int(2), l_w_rod4_frame_2_2);
     let x_rod4_frame_3_3 = m * a_rod4_centre_3_3;
     let x_rod4_frame_in_rod3_frame_1 = l * cos_q_P4;
     let x_rod4_frame_in_rod3_frame_3 = l * sin_q_P4;
     let x_rod3_frame_in_rod4_frame_1_2 = (-x_rod4_frame_in_rod3_frame_3)
         .mul_add(cos_q_P4, x_rod4_frame_in_rod3_frame_1 * sin_q_P4);
-    let x_rod4_frame_2_4 = w_rod4_frame_2_2 * m_l_sq;
-    let x_rod4_frame_3_4 = w_rod3_frame_in_rod4_frame_3_2 * m_l_sq;
+    let x_rod4_frame_2_4 = x_rod1_frame_2_2 * w_rod4_frame_2_2;
+    let x_rod4_frame_3_4 = x_rod1_frame_2_2 * w_rod3_frame_in_rod4_frame_3_2;
     let x_rod3_frame_in_rod4_frame_3_2 = x_rod4_frame_in_rod3_frame_3
         .mul_add(sin_q_P4, x_rod4_frame_in_rod3_frame_1 * cos_q_P4);
-    let w_rod5_frame_3_2 = ratio_q_P5_u_P4 - w_rod3_frame_in_rod4_frame_3_2;
+    let w_rod5_frame_3_2 = ratio_q_P5_u_P1 + w_rod3_frame_in_rod4_frame_3_2;
     let x_rod5_frame_2_4 = a_rod4_centre_2_3_of_place - x_rod5_frame_2_3;
-    let x_rod4_frame_in_rod5_frame_1 = (-x_rod5_frame_2_4)
+    let x_rod4_frame_in_rod5_frame_1 = x_rod5_frame_2_4
         .mul_add(sin_q_P5, x_rod3_frame_in_rod4_frame_1 * cos_q_P5);
     let a_rod5_centre_1_3 = (-x_rod4_frame_in_rod5_frame_1)
         .mul_add(S::int(2), l * w_rod5_frame_3_2);
     let x_rod5_frame_1_5 = m * a_rod5_centre_1_3;
-    let x_rod1_frame_in_rod2_frame_1_2 = cos_q_P1 * cos_q_P2;
     let x_rod2_frame_in_rod3_frame_2_3 = (-x_rod1_frame_in_rod2_frame_2_2)
         .mul_add(cos_q_P3, sin_q_p3_sin_q_p1);
     let x_rod2_frame_in_rod3_frame_3_3 = x_rod1_frame_in_rod2_frame_2_2
@@ -443,20 +433,17 @@ pub fn mass_matrix<S: Scalar>(
         .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3_3 * sin_q_P4);
     let x_rod4_frame_in_rod5_frame_1_2 = (-x_rod2_frame_in_rod3_frame_2_3)
         .mul_add(sin_q_P5, x_rod3_frame_in_rod4_frame_1_3 * cos_q_P5);
-    let x_rod2_frame_in_rod3_frame_2_4 = cos_q_P2 * cos_q_P3;
-    let x_rod2_frame_in_rod3_frame_3_4 = cos_q_P2 * sin_q_P3;
     let x_rod3_frame_in_rod4_frame_1_4 = x_rod2_frame_in_rod3_frame_3_4
         .mul_add(sin_q_P4, sin_q_p2_cos_q_p4);
     let x_rod4_frame_in_rod5_frame_1_3 = x_rod3_frame_in_rod4_frame_1_4
         .mul_add(cos_q_P5, x_rod2_frame_in_rod3_frame_2_4 * sin_q_P5);
-    let x_rod1_frame_in_rod2_frame_1_3 = sin_q_P1 * cos_q_P2;
     let x_rod2_frame_in_rod3_frame_3_5 = (-x_rod1_frame_in_rod2_frame_2_3)
         .mul_add(sin_q_P3, cos_q_p3_cos_q_p1);
     let x_rod3_frame_in_rod4_frame_1_5 = x_rod2_frame_in_rod3_frame_3_5
         .mul_add(sin_q_P4, x_rod1_frame_in_rod2_frame_1_3 * cos_q_P4);
     let x_rod4_frame_in_rod5_frame_1_4 = (-x_rod2_frame_in_rod3_frame_2_5)
         .mul_add(sin_q_P5, x_rod3_frame_in_rod4_frame_1_5 * cos_q_P5);
-    let x_rod4_frame_in_rod5_frame_2 = x_rod5_frame_2_4
+    let x_rod4_frame_in_rod5_frame_2 = (-x_rod5_frame_2_4)
         .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1 * sin_q_P5);
     let x_rod5_frame_2_5 = m * x_rod4_frame_in_rod5_frame_2;
     let x_rod4_frame_in_rod5_frame_2_2 = x_rod3_frame_in_rod4_frame_1_3
@@ -464,12 +451,12 @@ pub fn mass_matrix<S: Scalar>(
     let x_rod4_frame_in_rod5_frame_2_3 = (-x_rod2_frame_in_rod3_frame_2_4)
         .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1_4 * sin_q_P5);
     let x_rod4_frame_in_rod5_frame_2_4 = x_rod3_frame_in_rod4_frame_1_5
-        .mul_add(sin_q_P5, ratio_q_P1_u_P4_of_place_6);
+        .mul_add(sin_q_P5, ratio_q_P2_u_P1_of_place_13);
     let w_rod3_frame_in_rod4_frame_1_2 = w_rod2_frame_in_rod3_frame_3_2
         .mul_add(sin_q_P4, w_rod3_frame_1_2 * cos_q_P4);
     let w_rod4_frame_in_rod5_frame_1_2 = (-w_rod4_frame_2_2)
         .mul_add(sin_q_P5, w_rod3_frame_in_rod4_frame_1_2 * cos_q_P5);
-    let x_rod5_frame_3_4 = l_w_rod4_frame_2_2 - x_rod3_frame_in_rod4_frame_3;
+    let x_rod5_frame_3_4 = x_rod3_frame_in_rod4_frame_3 + l_w_rod4_frame_2_2;
     let a_rod5_centre_3_3 = x_rod5_frame_3_4
         .mul_add(S::int(2), l * w_rod4_frame_in_rod5_frame_1_2);
     let x_rod5_frame_3_5 = m * a_rod5_centre_3_3;
@@ -477,9 +464,9 @@ pub fn mass_matrix<S: Scalar>(
         .mul_add(cos_q_P4, x_rod1_frame_in_rod2_frame_1_2 * sin_q_P4);
     let x_rod3_frame_in_rod4_frame_3_4 = (-x_rod2_frame_in_rod3_frame_3_4)
         .mul_add(cos_q_P4, sin_q_p2_sin_q_p4);
-    let x_rod3_frame_in_rod4_frame_3_5 = (-x_rod1_frame_in_rod2_frame_1_3)
-        .mul_add(sin_q_P4, x_rod2_frame_in_rod3_frame_3_5 * cos_q_P4);
-    let x_rod5_frame_1_6 = w_rod4_frame_in_rod5_frame_1_2 * m_l_sq;
+    let x_rod3_frame_in_rod4_frame_3_5 = x_rod2_frame_in_rod3_frame_3_5
+        .mul_add(cos_q_P4, -ratio_q_P2_u_P1_of_place_41);
+    let x_rod5_frame_1_6 = x_rod1_frame_2_2 * w_rod4_frame_in_rod5_frame_1_2;
     let x_rod5_frame_in_rod4_frame_1 = l * sin_q_P5;
     let x_rod5_frame_in_rod4_frame_2 = l * cos_q_P5;
     let x_rod4_frame_in_rod3_frame_1_2 = x_rod5_frame_in_rod4_frame_1 * cos_q_P4;
@@ -536,9 +523,8 @@ pub fn mass_matrix<S: Scalar>(
         .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3_8 * sin_q_P4);
     let x_rod4_frame_in_rod5_frame_1_7 = x_rod3_frame_in_rod4_frame_1_8
         .mul_add(cos_q_P5, x_rod2_frame_in_rod3_frame_2_8 * sin_q_P5);
-    let x_N_2 = ratio_q_P1_u_P4_of_place_44;
-    let x_N_in_rod1_frame_1_5 = ratio_q_P1_u_P4_of_place_12 * cos_q_P1;
-    let x_N_in_rod1_frame_3_3 = ratio_q_P1_u_P4_of_place_12 * sin_q_P1;
+    let x_N_2 = ratio_q_P2_u_P1_of_place_44;
+    let x_N_in_rod1_frame_1_5 = x_N_in_rod1_frame_3_3_of_place_2 * cos_q_P1;
     let x_rod1_frame_in_rod2_frame_1_7 = x_N_in_rod1_frame_1_5
         .mul_add(cos_q_P2, x_N_2 * sin_q_P2);
     let x_rod1_frame_in_rod2_frame_2_7 = (-x_N_2)
@@ -563,7 +549,7 @@ pub fn mass_matrix<S: Scalar>(
         .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1_9 * sin_q_P5);
     let x_rod4_frame_in_rod5_frame_2_9 = (-x_rod5_frame_in_rod4_frame_1)
         .mul_add(cos_q_P5, x_rod5_frame_in_rod4_frame_2 * sin_q_P5);
-    let x_rod5_frame_3_6 = w_rod5_frame_3_2 * m_l_sq;
+    let x_rod5_frame_3_6 = x_rod1_frame_2_2 * w_rod5_frame_3_2;
     let x_rod3_frame_in_rod4_frame_3_6 = x_rod2_frame_in_rod3_frame_3_6
         .mul_add(cos_q_P4, x_rod1_frame_in_rod2_frame_1_4 * sin_q_P4);
     let x_rod3_frame_in_rod4_frame_3_7 = x_rod2_frame_in_rod3_frame_3_7
@@ -580,9 +566,9 @@ pub fn mass_matrix<S: Scalar>(
     let minus_sin_q_p1 = -sin_q_P1;
     let minus_cos_q_p3 = -cos_q_P3;
     let minus_cos_q_p5 = -cos_q_P5;
-    let minus_cos_q_p4 = -cos_q_P4;
     let minus_cos_q_p1 = -cos_q_P1;
     let minus_cos_q_p2 = -cos_q_P2;
+    let minus_cos_q_p4 = -cos_q_P4;
     let minus_l_halved = -l_halved;
     // Entries that are not zero.
     let m_1_21 = S::int(1);
@@ -590,7 +576,7 @@ pub fn mass_matrix<S: Scalar>(
     let m_1_28 = sin_q_P1;
     let m_2_22 = S::int(1);
     let m_2_27 = -S::int(1);
-    let m_3_1 = S::ratio(1, 2) * x_rod1_frame_3_2;
+    let m_3_1 = -S::ratio(1, 2) * x_rod1_frame_3;
     let m_3_23 = S::int(1);
     let m_3_26 = minus_sin_q_p1;
     let m_3_28 = minus_cos_q_p1;
@@ -598,7 +584,7 @@ pub fn mass_matrix<S: Scalar>(
     let m_4_27 = -S::ratio(1, 2) * x_N_in_rod1_frame_1;
     let m_4_29 = minus_cos_q_p1;
     let m_4_30 = sin_q_P1;
-    let m_5_1 = -S::ratio(1, 12) * x_rod1_frame_2_3;
+    let m_5_1 = S::ratio(1, 12) * x_rod1_frame_2_2;
     let m_5_23 = minus_l_halved;
     let m_5_25 = S::int(1);
     let m_5_26 = -S::ratio(1, 2) * x_rod1_frame_in_N_3;
@@ -617,7 +603,7 @@ pub fn mass_matrix<S: Scalar>(
     let m_9_1 = -S::ratio(1, 2) * x_rod2_frame_3_3;
     let m_9_18 = S::int(1);
     let m_9_23 = -S::int(1);
-    let m_10_1 = -S::ratio(1, 12) * x_rod2_frame_1_4;
+    let m_10_1 = S::ratio(1, 12) * x_rod2_frame_1_4;
     let m_10_18 = l_halved;
     let m_10_23 = S::ratio(1, 2) * x_rod1_frame_in_rod2_frame_1;
     let m_10_24 = minus_cos_q_p2;
@@ -634,7 +620,7 @@ pub fn mass_matrix<S: Scalar>(
     let m_13_1 = S::ratio(1, 2) * x_rod3_frame_1_3;
     let m_13_11 = S::int(1);
     let m_13_16 = -S::int(1);
-    let m_14_1 = S::ratio(1, 2) * x_rod3_frame_2_3;
+    let m_14_1 = -S::ratio(1, 2) * x_rod3_frame_2_3;
     let m_14_12 = S::int(1);
     let m_14_17 = minus_cos_q_p3;
     let m_14_18 = minus_sin_q_p3;
@@ -642,7 +628,7 @@ pub fn mass_matrix<S: Scalar>(
     let m_15_13 = S::int(1);
     let m_15_17 = sin_q_P3;
     let m_15_18 = minus_cos_q_p3;
-    let m_16_1 = -S::ratio(1, 12) * x_rod3_frame_1_4;
+    let m_16_1 = S::ratio(1, 12) * x_rod3_frame_1_4;
     let m_16_12 = minus_l_halved;
     let m_16_14 = S::int(1);
     let m_16_17 = -S::ratio(1, 2) * x_rod3_frame_in_rod2_frame_3;
@@ -659,10 +645,10 @@ pub fn mass_matrix<S: Scalar>(
     let m_19_6 = S::int(1);
     let m_19_11 = minus_cos_q_p4;
     let m_19_13 = sin_q_P4;
-    let m_20_1 = -S::ratio(1, 2) * x_rod4_frame_2_3;
+    let m_20_1 = S::ratio(1, 2) * x_rod4_frame_2_3;
     let m_20_7 = S::int(1);
     let m_20_12 = -S::int(1);
-    let m_21_1 = S::ratio(1, 2) * x_rod4_frame_3_3;
+    let m_21_1 = -S::ratio(1, 2) * x_rod4_frame_3_3;
     let m_21_8 = S::int(1);
     let m_21_11 = minus_sin_q_p4;
     let m_21_13 = minus_cos_q_p4;
@@ -670,12 +656,12 @@ pub fn mass_matrix<S: Scalar>(
     let m_22_12 = S::ratio(1, 2) * x_rod3_frame_in_rod4_frame_1_2;
     let m_22_14 = minus_cos_q_p4;
     let m_22_15 = sin_q_P4;
-    let m_23_1 = S::ratio(1, 12) * x_rod4_frame_2_4;
+    let m_23_1 = -S::ratio(1, 12) * x_rod4_frame_2_4;
     let m_23_8 = l_halved;
     let m_23_10 = S::int(1);
     let m_23_11 = S::ratio(1, 2) * x_rod4_frame_in_rod3_frame_3;
     let m_23_13 = S::ratio(1, 2) * x_rod4_frame_in_rod3_frame_1;
-    let m_24_1 = S::ratio(1, 12) * x_rod4_frame_3_4;
+    let m_24_1 = -S::ratio(1, 12) * x_rod4_frame_3_4;
     let m_24_7 = minus_l_halved;
     let m_24_12 = -S::ratio(1, 2) * x_rod3_frame_in_rod4_frame_3_2;
     let m_24_14 = minus_sin_q_p4;
@@ -689,12 +675,12 @@ pub fn mass_matrix<S: Scalar>(
     let m_26_4 = -x_rod4_frame_in_rod5_frame_2_4;
     let m_26_6 = sin_q_P5;
     let m_26_7 = minus_cos_q_p5;
-    let m_27_1 = S::ratio(1, 2) * x_rod5_frame_3_5;
+    let m_27_1 = -S::ratio(1, 2) * x_rod5_frame_3_5;
     let m_27_2 = -x_rod3_frame_in_rod4_frame_3_3;
     let m_27_3 = -x_rod3_frame_in_rod4_frame_3_4;
     let m_27_4 = -x_rod3_frame_in_rod4_frame_3_5;
     let m_27_8 = -S::int(1);
-    let m_28_1 = -S::ratio(1, 12) * x_rod5_frame_1_6;
+    let m_28_1 = S::ratio(1, 12) * x_rod5_frame_1_6;
     let m_28_2 = S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_1_5;
     let m_28_3 = S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_1_6;
     let m_28_4 = S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_1_7;
@@ -870,864 +856,926 @@ pub fn mass_matrix<S: Scalar>(
     ]
 }
 
-/// Right-hand side of the linear system; unknowns (u_P4', P6_force1, P6_force2, P6_force3, P6_torque13, rod5_force_rod4_frame1, rod5_force_rod4_frame2, rod5_force_rod4_frame3, rod5_torque_rod4_frame1, rod5_torque_rod4_frame2, rod4_force_rod3_frame1, rod4_force_rod3_frame2, rod4_force_rod3_frame3, rod4_torque_rod3_frame1, rod4_torque_rod3_frame3, rod3_force_rod2_frame1, rod3_force_rod2_frame2, rod3_force_rod2_frame3, rod3_torque_rod2_frame2, rod3_torque_rod2_frame3, rod2_force_rod1_frame1, rod2_force_rod1_frame2, rod2_force_rod1_frame3, rod2_torque_rod1_frame1, rod2_torque_rod1_frame2, rod1_force_n1, rod1_force_n2, rod1_force_n3, rod1_torque_n1, rod1_torque_n3).
+/// Right-hand side of the linear system; unknowns (u_P1', P6_force1, P6_force2, P6_force3, P6_torque13, rod5_force_rod4_frame1, rod5_force_rod4_frame2, rod5_force_rod4_frame3, rod5_torque_rod4_frame1, rod5_torque_rod4_frame2, rod4_force_rod3_frame1, rod4_force_rod3_frame2, rod4_force_rod3_frame3, rod4_torque_rod3_frame1, rod4_torque_rod3_frame3, rod3_force_rod2_frame1, rod3_force_rod2_frame2, rod3_force_rod2_frame3, rod3_torque_rod2_frame2, rod3_torque_rod2_frame3, rod2_force_rod1_frame1, rod2_force_rod1_frame2, rod2_force_rod1_frame3, rod2_torque_rod1_frame1, rod2_torque_rod1_frame2, rod1_force_n1, rod1_force_n2, rod1_force_n3, rod1_torque_n1, rod1_torque_n3).
 ///
-/// 1462 operations, 5 sines and cosines.
+/// 1481 operations, 5 sines and cosines.
 #[must_use]
 pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 30] {
     let Parameters { l, m, g } = *p;
     let [q_P1, q_P2, q_P3, q_P4, q_P5] = *q;
-    let [u_P4] = *u;
+    let [u_P1] = *u;
     // Sines and cosines.
-    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
     let (sin_q_P5, cos_q_P5) = q_P5.sin_cos();
     let (sin_q_P4, cos_q_P4) = q_P4.sin_cos();
     let (sin_q_P2, cos_q_P2) = q_P2.sin_cos();
+    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
     let (sin_q_P1, cos_q_P1) = q_P1.sin_cos();
     // Step by step, each after the terms that it needs.
-    let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5 = S::int(1) - cos_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_of_q_p5 = S::int(1) - sin_q_P5;
-    let ratio_q_P1_u_P4_of_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P4;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_2 = ratio_q_P1_u_P4_of_q_p4_q_p5 - S::int(1);
-    let ratio_q_P1_u_P4_of_place = ratio_q_P1_u_P4_of_q_p4_q_p5_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_2 = ratio_q_P1_u_P4_of_q_p3_q_p5 + ratio_q_P1_u_P4_of_place;
-    let ratio_q_P1_u_P4_of_place_3 = -ratio_q_P1_u_P4_of_place_2;
-    let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(sin_q_p2_cos_q_p4, ratio_q_P1_u_P4_of_place_3 * cos_q_P2);
-    let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
-    let cos_q_p3_sin_q_p1 = sin_q_P1 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_5 = cos_q_p3_sin_q_p1
-        .mul_add(sin_q_P2, sin_q_p3_cos_q_p1);
-    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
-    let sin_q_p2_sin_q_p3 = sin_q_P2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_6 = sin_q_p2_sin_q_p3
-        .mul_add(sin_q_P4, -cos_q_p2_cos_q_p4);
-    let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_7 = (-ratio_q_P1_u_P4_of_place_6)
-        .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4);
-    let ratio_q_P1_u_P4_of_place_8 = ratio_q_P1_u_P4_of_place_7
-        .mul_add(sin_q_P5, ratio_q_P1_u_P4_of_place_5 * cos_q_P5);
-    let l_sin_q_p1 = l * sin_q_P1;
-    let sin_q_p3_sin_q_p5 = sin_q_P3 * sin_q_P5;
-    let ratio_q_P1_u_P4_of_place_9 = cos_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, -sin_q_p3_sin_q_p5);
-    let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
-    let cos_q_p3_sin_q_p5 = cos_q_P3 * sin_q_P5;
-    let ratio_q_P1_u_P4_of_place_10 = sin_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, cos_q_p3_sin_q_p5);
-    let ratio_q_P1_u_P4_of_place_11 = (-ratio_q_P1_u_P4_of_place_10)
-        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
-    let ratio_q_P1_u_P4_of_place_12 = ratio_q_P1_u_P4_of_place_11
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_9 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_13 = ratio_q_P1_u_P4_of_place_10
-        .mul_add(cos_q_P2, sin_q_p2_cos_q_p4 * cos_q_P5);
-    let ratio_q_P1_u_P4_of_place_14 = l_sin_q_p1 * ratio_q_P1_u_P4_of_place_13;
-    let ratio_q_P1_u_P4_of_place_15 = (-ratio_q_P1_u_P4_of_place_12)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_14,
-            ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_of_place_8 * l_sin_q_p1,
-        );
-    let ratio_q_P1_u_P4_of_place_16 = ratio_q_P1_u_P4_of_q_p4_q_p5_2
-        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
-    let ratio_q_P1_u_P4_of_place_17 = ratio_q_P1_u_P4_of_place_16 * cos_q_P2;
-    let ratio_q_P1_u_P4_of_place_18 = l * ratio_q_P1_u_P4_of_place_17;
-    let ratio_q_P1_u_P4_of_q_p4 = S::int(1) + sin_q_P4;
-    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_q_p4_2 = ratio_q_P1_u_P4_of_q_p4 - cos_q_p4_sq;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_3 = ratio_q_P1_u_P4_of_q_p4_2
-        .mul_add(sin_q_P5, cos_q_p4_sq);
-    let ratio_q_P1_u_P4_of_place_19 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_20 = (-cos_q_p3_cos_q_p5)
-        .mul_add(ratio_q_P1_u_P4_of_q_p4, ratio_q_P1_u_P4_of_place_19);
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_4 = sin_q_P5 + ratio_q_P1_u_P4_of_q_p4_q_p5;
-    let ratio_q_P1_u_P4_of_place_21 = cos_q_p2_cos_q_p4 * ratio_q_P1_u_P4_of_q_p4_q_p5_4;
-    let ratio_q_P1_u_P4_of_place_22 = ratio_q_P1_u_P4_of_place_20
-        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_place_21);
-    let ratio_q_P1_u_P4_of_place_23 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_24 = sin_q_p3_cos_q_p5 * ratio_q_P1_u_P4_of_q_p4;
-    let ratio_q_P1_u_P4_of_place_25 = ratio_q_P1_u_P4_of_place_24
-        .mul_add(S::int(2), ratio_q_P1_u_P4_of_place_23);
-    let ratio_q_P1_u_P4_of_place_26 = (-ratio_q_P1_u_P4_of_place_25)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_22 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_27 = ratio_q_P1_u_P4_of_place_26
-        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_of_place_19);
-    let ratio_q_P1_u_P4_of_place_28 = (-sin_q_p3_cos_q_p1)
-        .mul_add(ratio_q_P1_u_P4_of_place_21, ratio_q_P1_u_P4_of_place_27 * sin_q_P2);
-    let ratio_q_P1_u_P4_of_place_29 = ratio_q_P1_u_P4_of_place_23 + ratio_q_P1_u_P4_of_place_24;
-    let ratio_q_P1_u_P4_of_place_30 = ratio_q_P1_u_P4_of_place_29 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_31 = (-sin_q_p3_cos_q_p1)
-        .mul_add(ratio_q_P1_u_P4_of_place_30, ratio_q_P1_u_P4_of_place_28 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_32 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_p2_cos_q_p4;
-    let ratio_q_P1_u_P4_of_place_33 = ratio_q_P1_u_P4_of_place_3
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32);
-    let l_sq = l * l;
-    let ratio_q_P1_u_P4_of_place_34 = ratio_q_P1_u_P4_of_place_33 * l_sq;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_2 = sin_q_P5 - ratio_q_P1_u_P4_of_q_p3_q_p5;
-    let ratio_q_P1_u_P4_of_q_p3 = sin_q_P3 - S::int(1);
-    let ratio_q_P1_u_P4_of_place_35 = (-ratio_q_P1_u_P4_of_q_p3)
-        .mul_add(sin_q_P5, ratio_q_P1_u_P4_of_q_p3_q_p5_2 * sin_q_P4);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_3 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_4 = cos_q_p3_cos_q_p5 + ratio_q_P1_u_P4_of_q_p3_q_p5_3;
-    let ratio_q_P1_u_P4_of_place_36 = sin_q_p2_cos_q_p4
-        .mul_add(ratio_q_P1_u_P4_of_q_p3_q_p5_4, ratio_q_P1_u_P4_of_place_35 * cos_q_P2);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_5 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_6 = sin_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_5;
-    let cos_q_p4_cos_q_p1 = cos_q_P1 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_37 = ratio_q_P1_u_P4_of_q_p3_q_p5_6
-        .mul_add(cos_q_p4_cos_q_p1, ratio_q_P1_u_P4_of_place_36 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_38 = ratio_q_P1_u_P4_of_place_10 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_39 = ratio_q_P1_u_P4_of_place_38
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_37 * sin_q_P2);
-    let sin_q_p1_l_sq = l_sq * sin_q_P1;
-    let ratio_q_P1_u_P4_of_place_40 = ratio_q_P1_u_P4_of_place_39 * sin_q_p1_l_sq;
-    let ratio_q_P1_u_P4_of_place_41 = ratio_q_P1_u_P4_of_place_31
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_34,
-            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_18,
-        ) + ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_40;
-    let ratio_q_P1_u_P4_of_place_42 = sin_q_p2_cos_q_p4
-        .mul_add(
-            ratio_q_P1_u_P4_of_q_p3_q_p5_3,
-            ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_P2,
-        );
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_5 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_43 = cos_q_p3_sin_q_p1
-        .mul_add(ratio_q_P1_u_P4_of_q_p4_q_p5_5, ratio_q_P1_u_P4_of_place_42 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_44 = S::int(1) + ratio_q_P1_u_P4_of_place_33;
-    let ratio_q_P1_u_P4_of_place_45 = ratio_q_P1_u_P4_of_place_16 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_46 = ratio_q_P1_u_P4_of_place_44
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_45);
-    let ratio_q_P1_u_P4_of_place_47 = l * ratio_q_P1_u_P4_of_place_46;
-    let ratio_q_P1_u_P4_of_q_p2 = S::int(1) - sin_q_P2;
-    let ratio_q_P1_u_P4_of_q_p2_q_p3 = sin_q_P3 - ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_place_48 = (-ratio_q_P1_u_P4_of_q_p2_q_p3)
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_q_p3_q_p5_5);
-    let sin_q_p2_sin_q_p1 = sin_q_P1 * sin_q_P2;
-    let ratio_q_P1_u_P4_of_place_49 = (-ratio_q_P1_u_P4_of_q_p3_q_p5_4)
-        .mul_add(sin_q_p2_sin_q_p1, ratio_q_P1_u_P4_of_place_48 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_50 = ratio_q_P1_u_P4_of_place_35
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_38);
-    let ratio_q_P1_u_P4_of_place_51 = (-ratio_q_P1_u_P4_of_place_50)
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_49 * cos_q_P4);
-    let ratio_q_P1_u_P4_of_place_52 = sin_q_p1_l_sq * ratio_q_P1_u_P4_of_place_51;
-    let ratio_q_P1_u_P4_of_place_53 = (-ratio_q_P1_u_P4_of_place_16)
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_44 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_54 = l * ratio_q_P1_u_P4_of_place_8;
-    let sin_q_p3_sin_q_p1 = sin_q_P1 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_55 = (-cos_q_p3_cos_q_p1)
-        .mul_add(sin_q_P2, sin_q_p3_sin_q_p1);
-    let ratio_q_P1_u_P4_of_place_56 = ratio_q_P1_u_P4_of_place_6
-        .mul_add(cos_q_P1, cos_q_p3_sin_q_p1 * sin_q_P4);
-    let ratio_q_P1_u_P4_of_place_57 = (-ratio_q_P1_u_P4_of_place_56)
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_place_55 * sin_q_P5);
-    let ratio_q_P1_u_P4_of_place_58 = l * ratio_q_P1_u_P4_of_place_12;
-    let ratio_q_P1_u_P4_of_place_59 = ratio_q_P1_u_P4_of_place_57
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_58,
-            ratio_q_P1_u_P4_of_place_53 * ratio_q_P1_u_P4_of_place_54,
-        );
-    let ratio_q_P1_u_P4_of_place_60 = l * ratio_q_P1_u_P4_of_place_33;
-    let ratio_q_P1_u_P4_of_place_61 = ratio_q_P1_u_P4_of_place_59
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_60,
-            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_52,
-        );
-    let ratio_q_P1_u_P4_of_place_62 = cos_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_place;
-    let ratio_q_P1_u_P4_of_place_63 = ratio_q_P1_u_P4_of_place_62
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_45 * sin_q_P2);
-    let ratio_q_P1_u_P4_of_place_64 = l * ratio_q_P1_u_P4_of_place_63;
-    let ratio_q_P1_u_P4_of_place_65 = (-ratio_q_P1_u_P4_of_place_36)
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_of_q_p2);
-    let ratio_q_P1_u_P4_of_q_p2_q_p4 = cos_q_p2_cos_q_p4 - ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_place_66 = (-ratio_q_P1_u_P4_of_q_p2_q_p4)
-        .mul_add(sin_q_P5, cos_q_p2_cos_q_p4);
-    let ratio_q_P1_u_P4_of_q_p2_2 = -ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_q_p2_q_p4_2 = (-ratio_q_P1_u_P4_of_q_p2_2)
-        .mul_add(sin_q_P4, cos_q_p2_cos_q_p4);
-    let ratio_q_P1_u_P4_of_place_67 = sin_q_p3_cos_q_p5
-        .mul_add(ratio_q_P1_u_P4_of_q_p2_q_p4_2, ratio_q_P1_u_P4_of_place_66 * cos_q_P3);
-    let ratio_q_P1_u_P4_of_place_68 = (-ratio_q_P1_u_P4_of_place_67)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_65 * sin_q_P1);
-    let cos_q_p1_l_sq = l_sq * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_69 = ratio_q_P1_u_P4_of_place_68 * cos_q_p1_l_sq;
-    let ratio_q_P1_u_P4_of_place_70 = ratio_q_P1_u_P4_of_place_13
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_69,
-            ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_of_place_59,
-        );
-    let ratio_q_P1_u_P4_of_place_71 = l * ratio_q_P1_u_P4_of_place_4;
-    let ratio_q_P1_u_P4_of_place_72 = ratio_q_P1_u_P4_of_place_71 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_73 = (-ratio_q_P1_u_P4_of_place_17)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_52,
-            ratio_q_P1_u_P4_of_place_33 * ratio_q_P1_u_P4_of_place_69,
-        );
-    let ratio_q_P1_u_P4_of_place_74 = (-ratio_q_P1_u_P4_of_place_11)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_9 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_75 = l * ratio_q_P1_u_P4_of_place_74;
-    let ratio_q_P1_u_P4_of_place_76 = S::int(1)
-        / (ratio_q_P1_u_P4_of_place_61
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_64,
-                ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_of_place_47,
-            ) + ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_of_place_72
-            + ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_of_place_75);
-    let ratio_q_P1_u_P4_of_place_77 = l * ratio_q_P1_u_P4_of_place_76;
-    let ratio_q_P1_u_P4_of_place_78 = ratio_q_P1_u_P4_of_place_43 * ratio_q_P1_u_P4_of_place_77;
-    let ratio_q_P1_u_P4_of_place_79 = ratio_q_P1_u_P4_of_place_4 * cos_q_p1_l_sq;
-    let ratio_q_P1_u_P4_of_place_80 = (-ratio_q_P1_u_P4_of_place_15)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_64,
-            ratio_q_P1_u_P4_of_place_31 * ratio_q_P1_u_P4_of_place_79,
-        ) - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_of_place_74;
-    let ratio_q_P1_u_P4_of_place_81 = (-ratio_q_P1_u_P4_of_q_p4_q_p5)
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32 * sin_q_P3);
-    let ratio_q_P1_u_P4_of_place_82 = ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_of_place_81;
-    let ratio_q_P1_u_P4_of_place_83 = (-ratio_q_P1_u_P4_of_place_13)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_14,
-            ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_60,
-        );
-    let ratio_q_P1_u_P4_of_place_84 = ratio_q_P1_u_P4_of_place_9
-        .mul_add(sin_q_p2_sin_q_p1, ratio_q_P1_u_P4_of_place_38);
-    let ratio_q_P1_u_P4_of_place_85 = l * ratio_q_P1_u_P4_of_place_13;
-    let ratio_q_P1_u_P4_of_place_86 = (-ratio_q_P1_u_P4_of_place_84)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_85,
-            ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_18,
-        );
-    let ratio_q_P1_u_P4_of_place_87 = (-ratio_q_P1_u_P4_of_place_14)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_17,
-            ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_of_place_84,
-        );
-    let ratio_q_P1_u_P4_of_place_88 = ratio_q_P1_u_P4_of_place_72
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_86,
-            ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_of_place_83,
-        ) - ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_of_place_87;
-    let ratio_q_P1_u_P4_of_place_89 = (-cos_q_p3_cos_q_p1)
-        .mul_add(ratio_q_P1_u_P4_of_q_p4_q_p5_5, ratio_q_P1_u_P4_of_place_42 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_90 = ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_of_place_89;
-    let ratio_q_P1_u_P4_of_q_p5_3 = S::int(2) - sin_q_P5;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_6 = ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p5_3;
-    let ratio_q_P1_u_P4_of_place_91 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_6)
-        .mul_add(sin_q_P3, ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_7 = sin_q_P3 + cos_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_of_place_92 = ratio_q_P1_u_P4_of_place_91
-        .mul_add(sin_q_P4, -sin_q_P5) + ratio_q_P1_u_P4_of_q_p3_q_p5_7;
-    let ratio_q_P1_u_P4_of_place_93 = l_sq * ratio_q_P1_u_P4_of_place_77;
-    let cos_q_p2_sin_q_p4 = cos_q_P2 * sin_q_P4;
-    let ratio_q_P1_u_P4_of_place_94 = sin_q_p2_cos_q_p4
-        .mul_add(sin_q_P3, cos_q_p2_sin_q_p4);
-    let ratio_q_P1_u_P4_of_place_95 = (-ratio_q_P1_u_P4_of_place_94)
-        .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * cos_q_P4);
-    let ratio_q_P1_u_P4_of_place_96 = ratio_q_P1_u_P4_of_place_95 * cos_q_P5;
-    let ratio_q_P1_u_P4_of_place_97 = ratio_q_P1_u_P4_of_place_93 * ratio_q_P1_u_P4_of_place_96;
-    let ratio_q_P1_u_P4_of_place_98 = ratio_q_P1_u_P4_of_place_97 * cos_q_P5;
-    let ratio_q_P1_u_P4 = ratio_q_P1_u_P4_of_place_80
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_82,
-            ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_of_place_78,
-        ) - ratio_q_P1_u_P4_of_place_88 * ratio_q_P1_u_P4_of_place_90
-        - ratio_q_P1_u_P4_of_place_92 * ratio_q_P1_u_P4_of_place_98;
-    let w_rod1_frame_2 = u_P4 * ratio_q_P1_u_P4;
-    let w_rod1_frame_22 = w_rod1_frame_2 * w_rod1_frame_2;
+    let w_rod1_frame_22 = u_P1 * u_P1;
     let a_rod1_centre_1 = l * w_rod1_frame_22;
     let x_rod1_frame_1 = m * a_rod1_centre_1;
     let x_rod1_frame_2 = m * g;
-    let ratio_q_P2_u_P4_of_place = ratio_q_P1_u_P4_of_place_31 * l_sq;
-    let ratio_q_P2_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_69
+    let ratio_q_P2_u_P1_of_q_p5 = S::int(1) - sin_q_P5;
+    let ratio_q_P2_u_P1_of_q_p5_2 = -ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5 = ratio_q_P2_u_P1_of_q_p5_2 * sin_q_P4;
+    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5 = ratio_q_P2_u_P1_of_q_p5_2 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place = (-ratio_q_P2_u_P1_of_q_p4_q_p5)
+        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p3_q_p5);
+    let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
+    let sin_q_p2_sin_q_p1 = sin_q_P1 * sin_q_P2;
+    let ratio_q_P2_u_P1_of_place_2 = sin_q_p2_sin_q_p1
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1);
+    let sin_q_p2_sin_q_p3 = sin_q_P2 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_3 = sin_q_p2_sin_q_p3
+        .mul_add(sin_q_P4, -cos_q_p2_cos_q_p4);
+    let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_4 = (-ratio_q_P2_u_P1_of_place_3)
+        .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4);
+    let ratio_q_P2_u_P1_of_place_5 = l
+        * ratio_q_P2_u_P1_of_place_4
+            .mul_add(sin_q_P5, ratio_q_P2_u_P1_of_place_2 * cos_q_P5);
+    let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_6 = sin_q_p3_cos_q_p5
+        .mul_add(sin_q_P4, cos_q_P3 * sin_q_P5);
+    let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_place_7 = sin_q_p2_cos_q_p4
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_6 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_place_8 = l * ratio_q_P2_u_P1_of_place_7;
+    let cos_q_p2_sin_q_p4 = cos_q_P2 * sin_q_P4;
+    let ratio_q_P2_u_P1_of_place_9 = sin_q_p2_cos_q_p4
+        .mul_add(sin_q_P3, cos_q_p2_sin_q_p4);
+    let ratio_q_P2_u_P1_of_place_10 = cos_q_p3_cos_q_p1 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_place_11 = (-ratio_q_P2_u_P1_of_place_9)
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_10);
+    let ratio_q_P2_u_P1_of_place_12 = ratio_q_P2_u_P1_of_place_11 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_13 = ratio_q_P2_u_P1_of_place_8
         .mul_add(
-            ratio_q_P1_u_P4_of_place_74,
-            ratio_q_P1_u_P4_of_place_59 * ratio_q_P1_u_P4_of_place_64,
-        ) + ratio_q_P1_u_P4_of_place_46 * ratio_q_P2_u_P4_of_place;
-    let ratio_q_P2_u_P4_of_place_3 = l_sq * ratio_q_P1_u_P4_of_place_57;
-    let ratio_q_P2_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_place_17)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_74,
-            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_63,
+            ratio_q_P2_u_P1_of_place_12,
+            ratio_q_P2_u_P1_of_place * ratio_q_P2_u_P1_of_place_5,
         );
-    let ratio_q_P2_u_P4_of_place_5 = (-ratio_q_P2_u_P4_of_place_3)
+    let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_2 = ratio_q_P2_u_P1_of_q_p4_q_p5 - S::int(1);
+    let ratio_q_P2_u_P1_of_place_14 = ratio_q_P2_u_P1_of_q_p4_q_p5_2 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_15 = cos_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_place_14;
+    let ratio_q_P2_u_P1_of_place_16 = ratio_q_P2_u_P1_of_q_p4_q_p5_2
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
+    let ratio_q_P2_u_P1_of_place_17 = ratio_q_P2_u_P1_of_place_16 * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_18 = l
+        * ratio_q_P2_u_P1_of_place_17
+            .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_place_15 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_19 = (-sin_q_P3)
+        .mul_add(sin_q_P5, cos_q_p3_cos_q_p5 * sin_q_P4);
+    let ratio_q_P2_u_P1_of_place_20 = sin_q_p2_sin_q_p1
+        .mul_add(ratio_q_P2_u_P1_of_place_19, ratio_q_P2_u_P1_of_place_6 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_21 = ratio_q_P2_u_P1_of_place_16 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_22 = (-ratio_q_P2_u_P1_of_place_8)
         .mul_add(
-            ratio_q_P2_u_P4_of_place_4,
-            ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_of_place_86,
+            ratio_q_P2_u_P1_of_place_20,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_21,
         );
-    let ratio_q_P2_u_P4_of_q_p2_q_p5 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_q_p5);
-    let ratio_q_P2_u_P4_of_place_6 = ratio_q_P2_u_P4_of_q_p2_q_p5
-        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_of_q_p2);
-    let ratio_q_P2_u_P4_of_place_7 = ratio_q_P1_u_P4_of_place_32 + ratio_q_P2_u_P4_of_place_6;
-    let ratio_q_P2_u_P4_of_q_p5 = -ratio_q_P1_u_P4_of_q_p5_3;
-    let ratio_q_P2_u_P4_of_q_p4_q_p5 = ratio_q_P2_u_P4_of_q_p5
-        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_of_q_p5_3);
-    let ratio_q_P2_u_P4_of_place_8 = (-ratio_q_P2_u_P4_of_q_p4_q_p5)
-        .mul_add(cos_q_P2, ratio_q_P2_u_P4_of_place_7 * cos_q_P4);
-    let ratio_q_P2_u_P4_of_q_p2_q_p4 = ratio_q_P1_u_P4_of_q_p2_2
-        .mul_add(cos_q_P4, ratio_q_P1_u_P4_of_q_p4 * cos_q_P2);
-    let ratio_q_P2_u_P4_of_place_9 = (-sin_q_p3_cos_q_p5)
-        .mul_add(ratio_q_P2_u_P4_of_q_p2_q_p4, ratio_q_P2_u_P4_of_place_8 * cos_q_P3);
-    let ratio_q_P2_u_P4 = (-ratio_q_P1_u_P4_of_place_82)
+    let ratio_q_P2_u_P1_of_place_23 = ratio_q_P2_u_P1_of_q_p4_q_p5 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_24 = ratio_q_P2_u_P1_of_q_p3_q_p5
+        .mul_add(sin_q_p2_cos_q_p4, ratio_q_P2_u_P1_of_place_23);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_2 = ratio_q_P2_u_P1_of_q_p5_2 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_25 = l
+        * (ratio_q_P2_u_P1_of_q_p3_q_p5_2 * sin_q_P1)
+            .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_24 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_26 = l * ratio_q_P2_u_P1_of_place_12;
+    let ratio_q_P2_u_P1_of_place_27 = l * ratio_q_P2_u_P1_of_place;
+    let ratio_q_P2_u_P1_of_place_28 = ratio_q_P2_u_P1_of_place_20
         .mul_add(
-            ratio_q_P2_u_P4_of_place_2,
-            ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_of_place_78,
-        ) + ratio_q_P1_u_P4_of_place_90 * ratio_q_P2_u_P4_of_place_5
-        - ratio_q_P1_u_P4_of_place_98 * ratio_q_P2_u_P4_of_place_9;
-    let ratio_q_P3_u_P4_of_place = ratio_q_P1_u_P4_of_place_59
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_72,
-            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_47,
-        ) - ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_of_place_74;
-    let ratio_q_P3_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_33 * ratio_q_P2_u_P4_of_place_3;
-    let ratio_q_P3_u_P4_of_place_3 = ratio_q_P1_u_P4_of_place_57 * ratio_q_P1_u_P4_of_place_79;
-    let ratio_q_P3_u_P4_of_place_4 = ratio_q_P1_u_P4_of_place_74
-        .mul_add(
-            ratio_q_P3_u_P4_of_place_2,
-            ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_of_place_83,
-        ) + ratio_q_P1_u_P4_of_place_13 * ratio_q_P3_u_P4_of_place_3;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5 = -ratio_q_P1_u_P4_of_q_p3_q_p5;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_3;
-    let ratio_q_P3_u_P4_of_place_5 = ratio_q_P3_u_P4_of_q_p3_q_p5_2
-        .mul_add(sin_q_P4, sin_q_P5 - S::int(3) + ratio_q_P1_u_P4_of_q_p3_q_p5_7);
-    let ratio_q_P3_u_P4_of_place_6 = (-ratio_q_P3_u_P4_of_place_5)
-        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_place_2 - ratio_q_P1_u_P4_of_place_32);
-    let ratio_q_P3_u_P4_of_place_7 = ratio_q_P3_u_P4_of_q_p3_q_p5
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_q_p4_q_p5 + ratio_q_P1_u_P4_of_place_32)
-        + ratio_q_P3_u_P4_of_place_6 * sin_q_P3;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5_3 = S::int(1) + sin_q_p3_sin_q_p5;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5_4 = (-ratio_q_P3_u_P4_of_q_p3_q_p5_3)
-        .mul_add(sin_q_P3, sin_q_P5 + ratio_q_P1_u_P4_of_q_p3_q_p5);
-    let ratio_q_P3_u_P4_of_place_8 = (-sin_q_p3_sin_q_p5).mul_add(sin_q_P3, S::int(1))
-        + ratio_q_P1_u_P4_of_place_32 + ratio_q_P3_u_P4_of_place_7 * sin_q_P4
-        - ratio_q_P3_u_P4_of_q_p3_q_p5_4 * sin_q_P2;
-    let ratio_q_P3_u_P4_of_place_9 = (-ratio_q_P2_u_P4_of_place_6)
-        .mul_add(sin_q_P3, -ratio_q_P1_u_P4_of_place_32 - ratio_q_P1_u_P4_of_q_p2);
-    let ratio_q_P3_u_P4_of_place_10 = cos_q_p3_sin_q_p5
-        .mul_add(ratio_q_P3_u_P4_of_place_9, ratio_q_P3_u_P4_of_place_8 * cos_q_P5);
-    let ratio_q_P3_u_P4 = ratio_q_P1_u_P4_of_place_82
-        .mul_add(
-            ratio_q_P3_u_P4_of_place,
-            ratio_q_P1_u_P4_of_place_61 * ratio_q_P1_u_P4_of_place_78,
-        ) + ratio_q_P1_u_P4_of_place_90 * ratio_q_P3_u_P4_of_place_4
-        + ratio_q_P1_u_P4_of_place_97 * ratio_q_P3_u_P4_of_place_10;
-    let ratio_q_P5_u_P4_of_place = ratio_q_P1_u_P4_of_place_79 * cos_q_P1;
-    let ratio_q_P5_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_52
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_63,
-            ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_of_place_46,
-        ) + ratio_q_P1_u_P4_of_place_68 * ratio_q_P5_u_P4_of_place;
-    let ratio_q_P5_u_P4_of_place_3 = ratio_q_P1_u_P4_of_place_17
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_79,
-            ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_of_place_63,
+            ratio_q_P2_u_P1_of_place_27,
+            ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_of_place_26,
         );
-    let ratio_q_P5_u_P4_of_place_4 = ratio_q_P1_u_P4_of_place_57
+    let ratio_q_P2_u_P1_of_place_29 = (-ratio_q_P2_u_P1_of_place_6)
+        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
+    let ratio_q_P2_u_P1_of_place_30 = l
+        * (-ratio_q_P2_u_P1_of_place_29)
+            .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_19 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_31 = (-ratio_q_P2_u_P1_of_place_22)
         .mul_add(
-            ratio_q_P5_u_P4_of_place_3,
-            ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_of_place_87,
-        );
-    let ratio_q_P5_u_P4_of_place_5 = (-ratio_q_P1_u_P4_of_place_62)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_16 * sin_q_p2_sin_q_p1);
-    let ratio_q_P5_u_P4_of_place_6 = ratio_q_P1_u_P4_of_place_4 * sin_q_p1_l_sq;
-    let ratio_q_P5_u_P4_of_place_7 = ratio_q_P1_u_P4_of_place_17
+            ratio_q_P2_u_P1_of_place_25,
+            ratio_q_P2_u_P1_of_place_13 * ratio_q_P2_u_P1_of_place_18,
+        ) - ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_of_place_30;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_3 = S::int(1) - cos_q_p3_cos_q_p5;
+    let ratio_q_P2_u_P1_of_place_32 = -ratio_q_P2_u_P1_of_place_14 - ratio_q_P2_u_P1_of_q_p3_q_p5_3;
+    let ratio_q_P2_u_P1_of_place_33 = ratio_q_P2_u_P1_of_place_32
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_q_p5_2 * cos_q_p2_cos_q_p4);
+    let ratio_q_P2_u_P1_of_place_34 = S::int(1) + ratio_q_P2_u_P1_of_place_33;
+    let ratio_q_P2_u_P1_of_place_35 = (-ratio_q_P2_u_P1_of_place_16)
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_34 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_36 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(ratio_q_P2_u_P1_of_place_10, ratio_q_P2_u_P1_of_place_24 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_37 = ratio_q_P2_u_P1_of_place_29
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_19 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_38 = (-ratio_q_P2_u_P1_of_place_26)
         .mul_add(
-            ratio_q_P5_u_P4_of_place_6,
-            ratio_q_P1_u_P4_of_place_34 * ratio_q_P5_u_P4_of_place_5,
+            ratio_q_P2_u_P1_of_place_37,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_36,
         );
-    let ratio_q_P5_u_P4_of_place_8 = l * ratio_q_P1_u_P4_of_place_53;
-    let ratio_q_P5_u_P4_of_place_9 = ratio_q_P1_u_P4_of_place_76
-        * ratio_q_P5_u_P4_of_place_3
+    let ratio_q_P2_u_P1_of_place_39 = l * ratio_q_P2_u_P1_of_place_33;
+    let ratio_q_P2_u_P1_of_place_40 = ratio_q_P2_u_P1_of_q_p5_2 * sin_q_p2_cos_q_p4;
+    let ratio_q_P2_u_P1_of_place_41 = ratio_q_P2_u_P1_of_place_32
+        .mul_add(cos_q_P2, -ratio_q_P2_u_P1_of_place_40);
+    let ratio_q_P2_u_P1_of_place_42 = ratio_q_P2_u_P1_of_place_8 * sin_q_P1;
+    let ratio_q_P2_u_P1_of_place_43 = (-ratio_q_P2_u_P1_of_place_37)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_42,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_41 * sin_q_P1,
+        );
+    let cos_q_p2_sin_q_p1 = sin_q_P1 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_q_p3 = sin_q_P3 - S::int(1);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_4 = (-ratio_q_P2_u_P1_of_q_p3)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_q_p3_q_p5_2);
+    let ratio_q_P2_u_P1_of_place_44 = (-ratio_q_P2_u_P1_of_q_p3_q_p5_4)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_q_p3_q_p5 * sin_q_p2_sin_q_p1);
+    let ratio_q_P2_u_P1_of_place_45 = ratio_q_P2_u_P1_of_q_p4_q_p5 * cos_q_p2_sin_q_p1;
+    let ratio_q_P2_u_P1_of_place_46 = ratio_q_P2_u_P1_of_place_44
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_45);
+    let ratio_q_P2_u_P1_of_place_47 = sin_q_p2_cos_q_p4
+        .mul_add(ratio_q_P2_u_P1_of_q_p3, cos_q_p2_sin_q_p4);
+    let ratio_q_P2_u_P1_of_place_48 = (-ratio_q_P2_u_P1_of_place_47)
+        .mul_add(sin_q_P3, cos_q_p2_sin_q_p4);
+    let cos_q_p5_sin_q_p1 = sin_q_P1 * cos_q_P5;
+    let l_sq = l * l;
+    let ratio_q_P2_u_P1_of_place_49 = l_sq
+        * ratio_q_P2_u_P1_of_place_48
+            .mul_add(cos_q_p5_sin_q_p1, ratio_q_P2_u_P1_of_place_46 * cos_q_P3);
+    let ratio_q_P2_u_P1_of_place_50 = cos_q_p2_sin_q_p1 * ratio_q_P2_u_P1_of_place_49;
+    let ratio_q_P2_u_P1_of_place_51 = ratio_q_P2_u_P1_of_place_27
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_43,
+            ratio_q_P2_u_P1_of_place_38 * ratio_q_P2_u_P1_of_place_39,
+        ) + ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_of_place_50;
+    let ratio_q_P2_u_P1_of_q_p4 = S::int(1) + sin_q_P4;
+    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_2 = ratio_q_P2_u_P1_of_q_p4 - cos_q_p4_sq;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_3 = ratio_q_P2_u_P1_of_q_p4_2
+        .mul_add(sin_q_P5, cos_q_p4_sq);
+    let ratio_q_P2_u_P1_of_place_52 = ratio_q_P2_u_P1_of_q_p4_q_p5_3 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_53 = (-cos_q_p3_cos_q_p5)
+        .mul_add(ratio_q_P2_u_P1_of_q_p4, ratio_q_P2_u_P1_of_place_52);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_4 = sin_q_P5 + ratio_q_P2_u_P1_of_q_p4_q_p5;
+    let ratio_q_P2_u_P1_of_place_54 = cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p4_q_p5_4;
+    let ratio_q_P2_u_P1_of_place_55 = ratio_q_P2_u_P1_of_place_53
+        .mul_add(sin_q_P2, -ratio_q_P2_u_P1_of_place_54);
+    let ratio_q_P2_u_P1_of_place_56 = ratio_q_P2_u_P1_of_q_p4_q_p5_3 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_57 = sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_of_q_p4;
+    let ratio_q_P2_u_P1_of_place_58 = ratio_q_P2_u_P1_of_place_57
+        .mul_add(S::int(2), ratio_q_P2_u_P1_of_place_56);
+    let ratio_q_P2_u_P1_of_place_59 = (-ratio_q_P2_u_P1_of_place_58)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_55 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_60 = ratio_q_P2_u_P1_of_place_59
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_of_place_52);
+    let ratio_q_P2_u_P1_of_place_61 = (-sin_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P2_u_P1_of_place_54, ratio_q_P2_u_P1_of_place_60 * sin_q_P2);
+    let ratio_q_P2_u_P1_of_place_62 = ratio_q_P2_u_P1_of_place_56 + ratio_q_P2_u_P1_of_place_57;
+    let ratio_q_P2_u_P1_of_place_63 = ratio_q_P2_u_P1_of_place_62 * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_64 = (-sin_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P2_u_P1_of_place_63, ratio_q_P2_u_P1_of_place_61 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_65 = ratio_q_P2_u_P1_of_place_33 * l_sq;
+    let ratio_q_P2_u_P1_of_place_66 = l * ratio_q_P2_u_P1_of_place_21;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_5 = cos_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_place_67 = (-ratio_q_P2_u_P1_of_q_p3_q_p5_5)
+        .mul_add(sin_q_P4, ratio_q_P2_u_P1_of_q_p3 * sin_q_P5);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_6 = ratio_q_P2_u_P1_of_q_p3_q_p5 + cos_q_p3_cos_q_p5;
+    let ratio_q_P2_u_P1_of_place_68 = (-sin_q_p2_cos_q_p4)
+        .mul_add(ratio_q_P2_u_P1_of_q_p3_q_p5_6, ratio_q_P2_u_P1_of_place_67 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_7 = sin_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p3_q_p5_2;
+    let ratio_q_P2_u_P1_of_place_69 = ratio_q_P2_u_P1_of_q_p3_q_p5_7 * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_70 = (-ratio_q_P2_u_P1_of_place_69)
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_68 * sin_q_P1);
+    let cos_q_p2_cos_q_p1 = cos_q_P1 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_71 = (-ratio_q_P2_u_P1_of_place_6)
+        .mul_add(cos_q_p2_cos_q_p1, ratio_q_P2_u_P1_of_place_70 * sin_q_P2);
+    let ratio_q_P2_u_P1_of_place_72 = l_sq * ratio_q_P2_u_P1_of_place_71 * sin_q_P1;
+    let ratio_q_P2_u_P1_of_place_73 = ratio_q_P2_u_P1_of_place_43
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_66,
+            ratio_q_P2_u_P1_of_place_64 * ratio_q_P2_u_P1_of_place_65,
+        ) - ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_of_place_72;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_8 = (-ratio_q_P2_u_P1_of_q_p3_q_p5_2)
+        .mul_add(S::int(2), sin_q_p3_cos_q_p5);
+    let ratio_q_P2_u_P1_of_place_74 = ratio_q_P2_u_P1_of_q_p3_q_p5_8
+        .mul_add(cos_q_P1, sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_of_q_p3_q_p5_6);
+    let ratio_q_P2_u_P1_of_place_75 = ratio_q_P2_u_P1_of_place_74
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_45);
+    let ratio_q_P2_u_P1_of_place_76 = (-cos_q_p2_sin_q_p1)
+        .mul_add(sin_q_P4, ratio_q_P2_u_P1_of_place_10);
+    let ratio_q_P2_u_P1_of_place_77 = (-cos_q_p3_cos_q_p5)
+        .mul_add(ratio_q_P2_u_P1_of_place_76, ratio_q_P2_u_P1_of_place_75 * sin_q_P3);
+    let ratio_q_P2_u_P1_of_place_78 = ratio_q_P2_u_P1_of_place_77
+        .mul_add(sin_q_P2, cos_q_p2_sin_q_p4 * ratio_q_P2_u_P1_of_place_69);
+    let ratio_q_P2_u_P1_of_place_79 = (-ratio_q_P2_u_P1_of_place_10)
+        .mul_add(ratio_q_P2_u_P1_of_place_69, ratio_q_P2_u_P1_of_place_78 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_80 = ratio_q_P2_u_P1_of_place
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_72,
+            ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_of_place_50,
+        ) + ratio_q_P2_u_P1_of_place_65 * ratio_q_P2_u_P1_of_place_79;
+    let ratio_q_P2_u_P1_of_place_81 = l * ratio_q_P2_u_P1_of_place_41;
+    let ratio_q_P2_u_P1_of_place_82 = ratio_q_P2_u_P1_of_place_81 * cos_q_P1;
+    let cos_q_p5_sq = cos_q_P5 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_q_p5_3 = ratio_q_P2_u_P1_of_q_p5
+        .mul_add(S::int(2), -cos_q_p5_sq);
+    let ratio_q_P2_u_P1_of_q_p5_4 = -ratio_q_P2_u_P1_of_q_p5_3;
+    let cos_q_p4_sq_doubled = S::int(2) * cos_q_p4_sq;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_5 = ratio_q_P2_u_P1_of_q_p5_4 * cos_q_p4_sq_doubled;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_6 = -ratio_q_P2_u_P1_of_q_p5 - ratio_q_P2_u_P1_of_q_p4_q_p5_5;
+    let ratio_q_P2_u_P1_of_q_p5_5 = ratio_q_P2_u_P1_of_q_p5 - cos_q_p5_sq;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_7 = cos_q_p4_sq * ratio_q_P2_u_P1_of_q_p5_4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_8 = -ratio_q_P2_u_P1_of_q_p5_5
+        - ratio_q_P2_u_P1_of_q_p4_q_p5_7;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_9 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(cos_q_p4_sq, ratio_q_P2_u_P1_of_q_p4_q_p5_8 * sin_q_P4);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_10 = ratio_q_P2_u_P1_of_q_p4_q_p5_9
+        - ratio_q_P2_u_P1_of_q_p5_5;
+    let ratio_q_P2_u_P1_of_q_p4_3 = ratio_q_P2_u_P1_of_q_p4 - cos_q_p4_sq_doubled;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_11 = ratio_q_P2_u_P1_of_q_p5 * ratio_q_P2_u_P1_of_q_p4_3;
+    let ratio_q_P2_u_P1_of_place_83 = sin_q_p3_cos_q_p5
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_11,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_10 * cos_q_P3,
+        );
+    let ratio_q_P2_u_P1_of_place_84 = ratio_q_P2_u_P1_of_place_83 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_85 = ratio_q_P2_u_P1_of_q_p4_q_p5_6
+        .mul_add(sin_q_P4, -ratio_q_P2_u_P1_of_q_p5)
+        - ratio_q_P2_u_P1_of_q_p5_2 * cos_q_p4_sq_doubled - ratio_q_P2_u_P1_of_place_84;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_12 = S::int(2) * ratio_q_P2_u_P1_of_q_p4_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_13 = (-ratio_q_P2_u_P1_of_q_p5)
+        .mul_add(S::int(3), cos_q_p5_sq) - ratio_q_P2_u_P1_of_q_p4_q_p5_5
+        + ratio_q_P2_u_P1_of_q_p4_q_p5_12;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_14 = ratio_q_P2_u_P1_of_q_p4_q_p5_12 - ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_place_86 = cos_q_p3_cos_q_p5
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_14,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_13 * sin_q_P3,
+        );
+    let ratio_q_P2_u_P1_of_place_87 = sin_q_p2_cos_q_p4
+        .mul_add(ratio_q_P2_u_P1_of_place_86, ratio_q_P2_u_P1_of_place_85 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_place_88 = (-ratio_q_P2_u_P1_of_place_84)
+        .mul_add(S::int(2), ratio_q_P2_u_P1_of_q_p4_q_p5_10)
+        - ratio_q_P2_u_P1_of_place_87 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_89 = (-cos_q_p3_cos_q_p5)
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_11,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_10 * sin_q_P3,
+        );
+    let ratio_q_P2_u_P1_of_place_90 = ratio_q_P2_u_P1_of_place_89 * sin_q_P2;
+    let ratio_q_P2_u_P1_of_place_91 = (-cos_q_p2_cos_q_p4)
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_13,
+            S::int(2) * ratio_q_P2_u_P1_of_place_90,
+        );
+    let ratio_q_P2_u_P1_of_place_92 = cos_q_p2_cos_q_p4 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_93 = ratio_q_P2_u_P1_of_q_p4_q_p5_14
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_92,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_11 * sin_q_P2,
+        );
+    let ratio_q_P2_u_P1_of_place_94 = ratio_q_P2_u_P1_of_place_93
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_91 * cos_q_P3);
+    let ratio_q_P2_u_P1_of_place_95 = (-ratio_q_P2_u_P1_of_place_94)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_88 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_15 = ratio_q_P2_u_P1_of_q_p4_q_p5
+        - ratio_q_P2_u_P1_of_q_p5_3 - ratio_q_P2_u_P1_of_q_p4_q_p5_7;
+    let ratio_q_P2_u_P1_of_place_96 = (-cos_q_p2_cos_q_p4)
+        .mul_add(ratio_q_P2_u_P1_of_q_p4_q_p5_15, ratio_q_P2_u_P1_of_place_90);
+    let ratio_q_P2_u_P1_of_place_97 = ratio_q_P2_u_P1_of_place_23
+        .mul_add(sin_q_P3, ratio_q_P2_u_P1_of_place_40);
+    let cos_q_p4_cos_q_p5 = cos_q_P4 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_98 = ratio_q_P2_u_P1_of_place_96
+        .mul_add(cos_q_P3, ratio_q_P2_u_P1_of_place_95 * cos_q_P1)
+        + ratio_q_P2_u_P1_of_place_97 * cos_q_p4_cos_q_p5;
+    let ratio_q_P2_u_P1_of_place_99 = l_sq * ratio_q_P2_u_P1_of_place_98;
+    let ratio_q_P2_u_P1_of_place_100 = S::int(1)
+        / ((-ratio_q_P2_u_P1_of_place_18)
             .mul_add(
-                ratio_q_P5_u_P4_of_place_8,
-                ratio_q_P1_u_P4_of_place_47 * ratio_q_P5_u_P4_of_place_7,
-            );
-    let ratio_q_P5_u_P4 = ratio_q_P1_u_P4_of_place_82
+                ratio_q_P2_u_P1_of_place_51,
+                ratio_q_P2_u_P1_of_place_25 * ratio_q_P2_u_P1_of_place_73,
+            ) + ratio_q_P2_u_P1_of_place_30 * ratio_q_P2_u_P1_of_place_80
+            + ratio_q_P2_u_P1_of_place_82 * ratio_q_P2_u_P1_of_place_99);
+    let ratio_q_P2_u_P1_of_place_101 = l * ratio_q_P2_u_P1_of_place_100;
+    let ratio_q_P2_u_P1_of_place_102 = ratio_q_P2_u_P1_of_place_35 * ratio_q_P2_u_P1_of_place_101;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_16 = ratio_q_P2_u_P1_of_q_p4_q_p5 - ratio_q_P2_u_P1_of_q_p5;
+    let sin_q_p3_sin_q_p1 = sin_q_P1 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_103 = (-cos_q_p3_cos_q_p1)
+        .mul_add(sin_q_P2, sin_q_p3_sin_q_p1);
+    let cos_q_p3_sin_q_p4 = cos_q_P3 * sin_q_P4;
+    let ratio_q_P2_u_P1_of_place_104 = cos_q_p3_sin_q_p4
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_3 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_105 = (-ratio_q_P2_u_P1_of_place_104)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_103 * sin_q_P5);
+    let ratio_q_P2_u_P1_of_place_106 = l_sq * ratio_q_P2_u_P1_of_place_101;
+    let ratio_q_P2_u_P1_of_place_107 = ratio_q_P2_u_P1_of_place_105 * ratio_q_P2_u_P1_of_place_106;
+    let ratio_q_P2_u_P1_of_place_108 = ratio_q_P2_u_P1_of_place_107 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_109 = ratio_q_P2_u_P1_of_place_34
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_17);
+    let ratio_q_P2_u_P1_of_place_110 = ratio_q_P2_u_P1_of_place_98 * ratio_q_P2_u_P1_of_place_106;
+    let ratio_q_P2_u_P1 = ratio_q_P2_u_P1_of_q_p4_q_p5_16
         .mul_add(
-            ratio_q_P5_u_P4_of_place_2,
-            ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_of_place_78,
-        ) - ratio_q_P1_u_P4_of_place_90 * ratio_q_P5_u_P4_of_place_4
-        - ratio_q_P1_u_P4_of_place_96 * ratio_q_P5_u_P4_of_place_9;
-    let u_p4_ratio_q_p5_u_p4 = u_P4 * ratio_q_P5_u_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4 = u_p4_ratio_q_p5_u_p4 * cos_q_P5;
-    let u_p4_cos_q_p4 = u_P4 * cos_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_2 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P4);
-    let ratio_q_P1_u_P4_2_of_u_p4_3 = -ratio_q_P1_u_P4_2_of_u_p4_2;
-    let u_p4_ratio_q_p3_u_p4 = u_P4 * ratio_q_P3_u_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_4 = u_p4_ratio_q_p3_u_p4 * cos_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_5 = u_p4_ratio_q_p5_u_p4 * sin_q_P5;
-    let ratio_q_P1_u_P4_2_of_u_p4_6 = (-ratio_q_P1_u_P4_2_of_u_p4_4)
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_2_of_u_p4_5 * sin_q_P3);
-    let ratio_q_P1_u_P4_2_of_u_p4_7 = u_p4_ratio_q_p3_u_p4 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_8 = (-ratio_q_P1_u_P4_2_of_u_p4_3)
-        .mul_add(cos_q_P3, -ratio_q_P1_u_P4_2_of_u_p4_6)
-        - ratio_q_P1_u_P4_of_q_p4_q_p5_2 * ratio_q_P1_u_P4_2_of_u_p4_7;
-    let w_rod2_frame_3 = u_P4 * ratio_q_P2_u_P4;
+            ratio_q_P2_u_P1_of_place_108,
+            ratio_q_P2_u_P1_of_place_31 * ratio_q_P2_u_P1_of_place_102,
+        ) + ratio_q_P2_u_P1_of_place_109 * ratio_q_P2_u_P1_of_place_110;
+    let ratio_q_P3_u_P1_of_place = (-ratio_q_P2_u_P1_of_place_7)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_42,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_33,
+        );
+    let ratio_q_P3_u_P1_of_place_2 = ratio_q_P2_u_P1_of_place
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_42,
+            ratio_q_P2_u_P1_of_place_12 * ratio_q_P2_u_P1_of_place_39,
+        );
+    let ratio_q_P3_u_P1_of_place_3 = ratio_q_P2_u_P1_of_place_25
+        .mul_add(
+            ratio_q_P3_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_13 * ratio_q_P2_u_P1_of_place_82,
+        ) + ratio_q_P2_u_P1_of_place_30 * ratio_q_P3_u_P1_of_place_2;
+    let ratio_q_P3_u_P1_of_place_4 = ratio_q_P2_u_P1_of_place_101 * ratio_q_P2_u_P1_of_place_109;
+    let ratio_q_P3_u_P1_of_q_p3_q_p5 = ratio_q_P2_u_P1_of_q_p3_q_p5_4
+        .mul_add(cos_q_P5, -ratio_q_P2_u_P1_of_q_p5) - ratio_q_P2_u_P1_of_q_p3_q_p5;
+    let ratio_q_P3_u_P1_of_place_5 = ratio_q_P2_u_P1_of_place_107 * cos_q_P4;
+    let ratio_q_P3_u_P1 = ratio_q_P2_u_P1_of_place_51
+        .mul_add(
+            ratio_q_P3_u_P1_of_place_4,
+            ratio_q_P2_u_P1_of_place_102 * ratio_q_P3_u_P1_of_place_3,
+        ) - ratio_q_P3_u_P1_of_q_p3_q_p5 * ratio_q_P3_u_P1_of_place_5;
+    let ratio_q_P4_u_P1_of_place = ratio_q_P2_u_P1_of_place_16 * cos_q_p2_sin_q_p1;
+    let ratio_q_P4_u_P1_of_place_2 = (-ratio_q_P2_u_P1_of_place_8)
+        .mul_add(
+            ratio_q_P4_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_20 * ratio_q_P2_u_P1_of_place_39,
+        );
+    let ratio_q_P4_u_P1_of_place_3 = ratio_q_P2_u_P1_of_place_18
+        .mul_add(
+            ratio_q_P3_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_22 * ratio_q_P2_u_P1_of_place_82,
+        ) - ratio_q_P2_u_P1_of_place_30 * ratio_q_P4_u_P1_of_place_2;
+    let ratio_q_P4_u_P1_of_q_p4_q_p5 = ratio_q_P2_u_P1_of_q_p4_q_p5_4 - S::int(2);
+    let ratio_q_P4_u_P1_of_place_4 = (-ratio_q_P4_u_P1_of_q_p4_q_p5)
+        .mul_add(
+            sin_q_P3,
+            ratio_q_P2_u_P1_of_q_p4_q_p5 - ratio_q_P2_u_P1_of_q_p3_q_p5_3,
+        );
+    let ratio_q_P4_u_P1_of_place_5 = ratio_q_P4_u_P1_of_place_4
+        .mul_add(sin_q_P4, sin_q_P3 - sin_q_P5 + cos_q_p3_cos_q_p5);
+    let ratio_q_P4_u_P1 = ratio_q_P2_u_P1_of_place_102
+        .mul_add(
+            ratio_q_P4_u_P1_of_place_3,
+            ratio_q_P2_u_P1_of_place_73 * ratio_q_P3_u_P1_of_place_4,
+        ) - ratio_q_P2_u_P1_of_place_108 * ratio_q_P4_u_P1_of_place_5;
+    let ratio_q_P5_u_P1_of_place = ratio_q_P2_u_P1_of_place_18
+        .mul_add(
+            ratio_q_P3_u_P1_of_place_2,
+            ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_of_place_82,
+        ) + ratio_q_P2_u_P1_of_place_25 * ratio_q_P4_u_P1_of_place_2;
+    let ratio_q_P5_u_P1_of_q_p3_q_p5 = (-ratio_q_P2_u_P1_of_q_p5_4)
+        .mul_add(sin_q_P3, -ratio_q_P2_u_P1_of_q_p5_3);
+    let ratio_q_P5_u_P1_of_q_p3_q_p5_2 = sin_q_P3 - ratio_q_P2_u_P1_of_q_p3_q_p5_3;
+    let ratio_q_P5_u_P1_of_place_2 = ratio_q_P2_u_P1_of_q_p5
+        .mul_add(
+            ratio_q_P5_u_P1_of_q_p3_q_p5_2,
+            ratio_q_P5_u_P1_of_q_p3_q_p5 * sin_q_P4,
+        );
+    let ratio_q_P5_u_P1 = ratio_q_P2_u_P1_of_place_102
+        .mul_add(
+            ratio_q_P5_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_80 * ratio_q_P3_u_P1_of_place_4,
+        ) - ratio_q_P3_u_P1_of_place_5 * ratio_q_P5_u_P1_of_place_2;
+    let w_rod1_frame_in_rod2_frame_1 = u_P1 * sin_q_P2;
+    let w_rod1_frame_in_rod2_frame_2 = u_P1 * cos_q_P2;
+    let u_p1_ratio_q_p5_u_p1 = u_P1 * ratio_q_P5_u_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1 = u_p1_ratio_q_p5_u_p1 * cos_q_P5;
+    let ratio_q_P2_u_P1_2_of_u_p1_2 = ratio_q_P2_u_P1_of_q_p5 * ratio_q_P2_u_P1_2_of_u_p1;
+    let u_p1_cos_q_p4 = u_P1 * cos_q_P4;
+    let ratio_q_P2_u_P1_2_of_u_p1_3 = ratio_q_P4_u_P1 * u_p1_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_u_p1_4 = ratio_q_P2_u_P1_2_of_u_p1_3 * sin_q_P4;
+    let ratio_q_P2_u_P1_2_of_u_p1_5 = (-cos_q_p4_sq)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_2,
+            ratio_q_P2_u_P1_of_q_p5_4 * ratio_q_P2_u_P1_2_of_u_p1_4,
+        );
+    let ratio_q_P2_u_P1_2_of_u_p1_6 = ratio_q_P5_u_P1 * u_p1_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_u_p1_7 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_12)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_3,
+            cos_q_p4_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_6,
+        );
+    let ratio_q_P2_u_P1_2_of_u_p1_8 = S::int(2) * ratio_q_P2_u_P1_2_of_u_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_9 = ratio_q_P2_u_P1_2_of_u_p1_8 * sin_q_P5;
+    let ratio_q_P2_u_P1_2_of_u_p1_10 = ratio_q_P2_u_P1_2_of_u_p1_9 - ratio_q_P2_u_P1_2_of_u_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_11 = S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_5;
+    let ratio_q_P2_u_P1_2_of_u_p1_12 = sin_q_P4
+        * (ratio_q_P2_u_P1_2_of_u_p1_11 - ratio_q_P2_u_P1_2_of_u_p1_10)
+        + ratio_q_P2_u_P1_of_q_p4_q_p5_8 * ratio_q_P2_u_P1_2_of_u_p1_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_13 = ratio_q_P2_u_P1_2_of_u_p1_7 + ratio_q_P2_u_P1_2_of_u_p1_10;
+    let ratio_q_P2_u_P1_2_of_u_p1_14 = ratio_q_P2_u_P1_2_of_u_p1_12 - ratio_q_P2_u_P1_2_of_u_p1_13;
+    let ratio_q_P2_u_P1_2_of_u_p1_15 = u_p1_ratio_q_p5_u_p1 * sin_q_P5;
+    let u_p1_ratio_q_p3_u_p1 = u_P1 * ratio_q_P3_u_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_16 = u_p1_ratio_q_p3_u_p1 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_17 = ratio_q_P2_u_P1_2_of_u_p1_16 * cos_q_P5;
+    let ratio_q_P2_u_P1_2_of_u_p1_18 = ratio_q_P2_u_P1_2_of_u_p1_15
+        .mul_add(sin_q_P3, ratio_q_P2_u_P1_2_of_u_p1_17);
+    let ratio_q_P2_u_P1_2_of_u_p1_19 = u_p1_ratio_q_p3_u_p1 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_20 = ratio_q_P2_u_P1_of_q_p5
+        * ratio_q_P2_u_P1_2_of_u_p1_4.mul_add(S::int(4), ratio_q_P2_u_P1_2_of_u_p1_3)
+        - ratio_q_P2_u_P1_of_q_p4_3 * ratio_q_P2_u_P1_2_of_u_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_21 = cos_q_P3
+        * ((-ratio_q_P2_u_P1_of_q_p4_q_p5_11)
+            .mul_add(
+                ratio_q_P2_u_P1_2_of_u_p1_18,
+                ratio_q_P2_u_P1_2_of_u_p1_14 * cos_q_P3,
+            ) + ratio_q_P2_u_P1_of_q_p4_q_p5_10 * ratio_q_P2_u_P1_2_of_u_p1_19
+            + sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_20)
+        + ratio_q_P2_u_P1_of_place_83 * ratio_q_P2_u_P1_2_of_u_p1_19;
+    let u_p1_ratio_q_p4_u_p1 = u_P1 * ratio_q_P4_u_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_22 = u_p1_ratio_q_p4_u_p1 * sin_q_P4;
+    let ratio_q_P2_u_P1_2_of_u_p1_23 = ratio_q_P2_u_P1_2_of_u_p1_22
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1 * u_p1_cos_q_p4 * cos_q_P2);
+    let w_rod2_frame_3 = u_P1 * ratio_q_P2_u_P1;
     let sin_q_p2_w_rod2_frame_3 = w_rod2_frame_3 * sin_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_9 = ratio_q_P1_u_P4_of_place_16
-        .mul_add(sin_q_p2_w_rod2_frame_3, ratio_q_P1_u_P4_2_of_u_p4_8 * cos_q_P2);
-    let ratio_q_P1_u_P4_2_of_u_p4_10 = ratio_q_P1_u_P4_2_of_u_p4_7
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_2_of_u_p4_5 * cos_q_P3);
-    let ratio_q_P1_u_P4_2_of_u_p4_11 = ratio_q_P1_u_P4_2_of_u_p4_10 - ratio_q_P1_u_P4_2_of_u_p4;
-    let ratio_q_P1_u_P4_2_of_u_p4_12 = ratio_q_P1_u_P4_2_of_u_p4_4 * sin_q_P5;
-    let ratio_q_P1_u_P4_2_of_u_p4_13 = ratio_q_P1_u_P4_of_q_p3_q_p5_2
-        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_of_q_p3 * ratio_q_P1_u_P4_2_of_u_p4)
-        + ratio_q_P1_u_P4_2_of_u_p4_11 * sin_q_P4 + ratio_q_P1_u_P4_2_of_u_p4_12;
-    let u_p4_sin_q_p4 = u_P4 * sin_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_14 = (-w_rod2_frame_3)
-        .mul_add(cos_q_p2_cos_q_p4, u_p4_sin_q_p4 * sin_q_P2);
-    let ratio_q_P1_u_P4_2_of_u_p4_15 = ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_16 = ratio_q_P1_u_P4_of_q_p5_2
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_15);
-    let ratio_q_P1_u_P4_2_of_u_p4_17 = ratio_q_P1_u_P4_2_of_u_p4_16 - ratio_q_P1_u_P4_2_of_u_p4_10;
-    let ratio_q_P1_u_P4_2_of_u_p4_18 = (-ratio_q_P1_u_P4_2_of_u_p4_13)
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_35 * sin_q_p2_w_rod2_frame_3)
-        + ratio_q_P1_u_P4_of_q_p3_q_p5_4 * ratio_q_P1_u_P4_2_of_u_p4_14
-        + sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_17;
-    let cos_q_p1_w_rod1_frame_2 = w_rod1_frame_2 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_19 = ratio_q_P1_u_P4_2_of_u_p4 * cos_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_20 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_7, ratio_q_P1_u_P4_2_of_u_p4_19);
-    let sin_q_p1_w_rod1_frame_2 = w_rod1_frame_2 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_24 = ratio_q_P2_u_P1_of_q_p5_2
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_3, ratio_q_P2_u_P1_2_of_u_p1 * sin_q_P4);
+    let ratio_q_P2_u_P1_2_of_u_p1_25 = ratio_q_P2_u_P1_2_of_u_p1_11 + ratio_q_P2_u_P1_2_of_u_p1_24;
+    let ratio_q_P2_u_P1_2_of_u_p1_26 = ratio_q_P2_u_P1_2_of_u_p1
+        .mul_add(S::int(3), -ratio_q_P2_u_P1_2_of_u_p1_9)
+        + S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_25;
+    let ratio_q_P2_u_P1_2_of_u_p1_27 = (-ratio_q_P2_u_P1_2_of_u_p1_15)
+        .mul_add(cos_q_P3, ratio_q_P2_u_P1_2_of_u_p1_19 * cos_q_P5);
+    let ratio_q_P2_u_P1_2_of_u_p1_28 = ratio_q_P2_u_P1_2_of_u_p1_24
+        .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1);
+    let sin_q_p2_ratio_q_p2_u_p1 = ratio_q_P2_u_P1 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_29 = (-u_p1_cos_q_p4)
+        .mul_add(sin_q_p2_ratio_q_p2_u_p1, cos_q_p2_sin_q_p4 * u_p1_ratio_q_p4_u_p1);
     let cos_q_p2_w_rod2_frame_3 = w_rod2_frame_3 * cos_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_21 = (-ratio_q_P1_u_P4_2_of_u_p4_7)
-        .mul_add(sin_q_P5, ratio_q_P1_u_P4_2_of_u_p4_19);
-    let ratio_q_P1_u_P4_2_of_u_p4_22 = sin_q_p3_cos_q_p5 * u_p4_cos_q_p4;
-    let ratio_q_P1_u_P4_2_of_u_p4_23 = ratio_q_P1_u_P4_2_of_u_p4_6
-        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_2_of_u_p4_21) + ratio_q_P1_u_P4_2_of_u_p4_22;
-    let ratio_q_P1_u_P4_2_of_u_p4_24 = ratio_q_P1_u_P4_2_of_u_p4_23
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_10 * sin_q_p1_w_rod1_frame_2);
-    let ratio_q_P1_u_P4_2_of_place = l_sq * cos_q_p1_w_rod1_frame_2;
-    let ratio_q_P1_u_P4_2_of_u_p4_25 = sin_q_p1_l_sq
-        * (sin_q_P2
-            * (ratio_q_P1_u_P4_2_of_u_p4_18 * sin_q_P1
-                + ratio_q_P1_u_P4_of_place_36 * cos_q_p1_w_rod1_frame_2
-                - cos_q_p4_cos_q_p1 * (ratio_q_P1_u_P4_2_of_u_p4_6 + ratio_q_P1_u_P4_2_of_u_p4_20)
-                + ratio_q_P1_u_P4_of_q_p3_q_p5_6
-                    * (-sin_q_p1_w_rod1_frame_2)
-                        .mul_add(cos_q_P4, u_p4_sin_q_p4 * cos_q_P1))
-            + ratio_q_P1_u_P4_of_place_38 * sin_q_p2_w_rod2_frame_3
-            - ratio_q_P1_u_P4_of_place_37 * cos_q_p2_w_rod2_frame_3
-            - ratio_q_P1_u_P4_2_of_u_p4_24 * cos_q_P2)
-        + ratio_q_P1_u_P4_of_place_39 * ratio_q_P1_u_P4_2_of_place;
-    let ratio_q_P1_u_P4_2_of_u_p4_26 = ratio_q_P1_u_P4_2_of_u_p4_12 + ratio_q_P1_u_P4_2_of_u_p4_15;
-    let ratio_q_P1_u_P4_2_of_u_p4_27 = cos_q_p3_cos_q_p5 * u_p4_cos_q_p4;
-    let ratio_q_P1_u_P4_2_of_u_p4_28 = ratio_q_P1_u_P4_2_of_u_p4_10
-        .mul_add(sin_q_P4, ratio_q_P1_u_P4_2_of_u_p4_27);
-    let ratio_q_P1_u_P4_2_of_u_p4_29 = ratio_q_P1_u_P4_2_of_u_p4_26 + ratio_q_P1_u_P4_2_of_u_p4_28;
-    let ratio_q_P1_u_P4_2_of_u_p4_30 = u_P4
-        * ratio_q_P2_u_P4.mul_add(sin_q_p2_cos_q_p4, cos_q_p2_sin_q_p4);
-    let ratio_q_P1_u_P4_2_of_u_p4_31 = (-cos_q_p2_cos_q_p4)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_5,
-            ratio_q_P1_u_P4_of_place_10 * cos_q_p2_w_rod2_frame_3,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_23 * sin_q_P2 + ratio_q_P1_u_P4_2_of_u_p4_30 * cos_q_P5;
-    let ratio_q_P1_u_P4_2_of_u_p4_32 = (-ratio_q_P1_u_P4_of_place_11)
-        .mul_add(
-            cos_q_p1_w_rod1_frame_2,
-            ratio_q_P1_u_P4_of_place_9 * sin_q_p1_w_rod1_frame_2,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_29 * cos_q_P1 - ratio_q_P1_u_P4_2_of_u_p4_31 * sin_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_33 = (-ratio_q_P1_u_P4_2_of_u_p4_7)
-        .mul_add(sin_q_P1, cos_q_p1_w_rod1_frame_2 * cos_q_P3);
-    let ratio_q_P1_u_P4_2_of_u_p4_34 = ratio_q_P1_u_P4_2_of_u_p4_4 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_place_2 = sin_q_p1_w_rod1_frame_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_35 = ratio_q_P1_u_P4_2_of_place_2 - ratio_q_P1_u_P4_2_of_u_p4_34;
-    let ratio_q_P1_u_P4_2_of_place_3 = cos_q_p2_w_rod2_frame_3 * sin_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_36 = (-(ratio_q_P1_u_P4_2_of_u_p4_4 * sin_q_P2))
-        .mul_add(sin_q_P4, sin_q_p2_sin_q_p3 * u_p4_cos_q_p4)
-        + ratio_q_P1_u_P4_2_of_u_p4_30 + ratio_q_P1_u_P4_2_of_place_3 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_37 = sin_q_p1_w_rod1_frame_2
-        .mul_add(cos_q_P3, ratio_q_P1_u_P4_2_of_u_p4_7 * cos_q_P1);
-    let ratio_q_P1_u_P4_2_of_u_p4_38 = ratio_q_P1_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_5
-        - ratio_q_P1_u_P4_of_place_7 * ratio_q_P1_u_P4_2_of_u_p4
-        + cos_q_P5
-            * ((-ratio_q_P1_u_P4_2_of_u_p4_33)
-                .mul_add(sin_q_P2, cos_q_p3_sin_q_p1 * cos_q_p2_w_rod2_frame_3)
-                + ratio_q_P1_u_P4_2_of_u_p4_35)
-        + sin_q_P5
-            * ((-ratio_q_P1_u_P4_2_of_u_p4_36)
-                .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * u_p4_cos_q_p4)
-                + ratio_q_P1_u_P4_of_place_6 * cos_q_p1_w_rod1_frame_2
-                + ratio_q_P1_u_P4_2_of_u_p4_37 * sin_q_P4);
-    let ratio_q_P1_u_P4_2_of_u_p4_39 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_2)
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_3 * sin_q_P3);
-    let ratio_q_P1_u_P4_2_of_u_p4_40 = ratio_q_P1_u_P4_2_of_u_p4_10 - ratio_q_P1_u_P4_2_of_u_p4_39;
-    let ratio_q_P1_u_P4_2_of_u_p4_41 = (-ratio_q_P1_u_P4_of_place_3)
-        .mul_add(sin_q_p2_w_rod2_frame_3, sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4)
-        + ratio_q_P1_u_P4_of_q_p5_2 * ratio_q_P1_u_P4_2_of_u_p4_14
-        + ratio_q_P1_u_P4_2_of_u_p4_40 * cos_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_42 = (-sin_q_p2_cos_q_p4)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_5,
-            ratio_q_P1_u_P4_of_place_10 * sin_q_p2_w_rod2_frame_3,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_14 * cos_q_P5 - ratio_q_P1_u_P4_2_of_u_p4_23 * cos_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_43 = l_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_42;
-    let ratio_q_P1_u_P4_2_of_u_p4_44 = cos_q_p1_w_rod1_frame_2
-        * (-ratio_q_P1_u_P4_of_place_12)
+    let ratio_q_P2_u_P1_2_of_u_p1_30 = sin_q_P2
+        * ((-ratio_q_P2_u_P1_2_of_u_p1_14)
             .mul_add(
-                ratio_q_P1_u_P4_of_place_85,
-                ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_71,
-            ) + ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_2_of_u_p4_32
-        - l_sin_q_p1
-            * ratio_q_P1_u_P4_of_place_8
-                .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_41,
-                    ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_38,
-                ) - ratio_q_P1_u_P4_of_place_12 * ratio_q_P1_u_P4_2_of_u_p4_43;
-    let ratio_q_P1_u_P4_2_of_u_p4_45 = S::int(2) * u_p4_cos_q_p4 * sin_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_46 = ratio_q_P1_u_P4_2_of_u_p4_45
-        + ratio_q_P1_u_P4_of_q_p4_2 * ratio_q_P1_u_P4_2_of_u_p4
-        - sin_q_P5 * (u_p4_cos_q_p4 + ratio_q_P1_u_P4_2_of_u_p4_45);
-    let ratio_q_P1_u_P4_2_of_u_p4_47 = ratio_q_P1_u_P4_2_of_u_p4_46 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_48 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * ratio_q_P1_u_P4_2_of_u_p4_4;
-    let ratio_q_P1_u_P4_2_of_u_p4_49 = -ratio_q_P1_u_P4_2_of_u_p4 - ratio_q_P1_u_P4_2_of_u_p4_2;
-    let ratio_q_P1_u_P4_2_of_u_p4_50 = (-cos_q_p2_cos_q_p4)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_49,
-            ratio_q_P1_u_P4_of_q_p4_q_p5_4 * ratio_q_P1_u_P4_2_of_u_p4_30,
-        );
-    let ratio_q_P1_u_P4_2_of_u_p4_51 = ratio_q_P1_u_P4_of_q_p4
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_6, ratio_q_P1_u_P4_2_of_u_p4_22);
-    let ratio_q_P1_u_P4_2_of_u_p4_52 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_3)
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_7, ratio_q_P1_u_P4_2_of_u_p4_46 * cos_q_P3);
-    let ratio_q_P1_u_P4_2_of_place_4 = S::int(2) * cos_q_p1_w_rod1_frame_2;
-    let ratio_q_P1_u_P4_2_of_u_p4_53 = ratio_q_P1_u_P4_of_place_28 * cos_q_p1_w_rod1_frame_2
-        - ratio_q_P1_u_P4_of_place_30 * ratio_q_P1_u_P4_2_of_u_p4_34
-        + sin_q_P1
-            * (ratio_q_P1_u_P4_of_place_21 * ratio_q_P1_u_P4_2_of_u_p4_35
-                - ratio_q_P1_u_P4_of_place_27 * cos_q_p2_w_rod2_frame_3
-                - sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_50
-                - sin_q_P2
-                    * (ratio_q_P1_u_P4_of_place_26 * ratio_q_P1_u_P4_2_of_u_p4_7
-                        + ratio_q_P1_u_P4_of_place_19 * ratio_q_P1_u_P4_2_of_place_2
-                        - sin_q_p3_cos_q_p1
-                            * ratio_q_P1_u_P4_2_of_u_p4_48
-                                .mul_add(S::int(2), ratio_q_P1_u_P4_2_of_u_p4_47)
-                        + cos_q_P3
-                            * (sin_q_P1
-                                * (-sin_q_P2
-                                    * (ratio_q_P1_u_P4_of_q_p4
-                                        .mul_add(
-                                            ratio_q_P1_u_P4_2_of_u_p4_10,
-                                            ratio_q_P1_u_P4_2_of_u_p4_27,
-                                        ) + ratio_q_P1_u_P4_2_of_u_p4_47
-                                        + ratio_q_P1_u_P4_2_of_u_p4_48)
-                                    + ratio_q_P1_u_P4_of_place_20 * cos_q_p2_w_rod2_frame_3
-                                    + ratio_q_P1_u_P4_2_of_u_p4_50)
-                                - ratio_q_P1_u_P4_of_place_22 * cos_q_p1_w_rod1_frame_2
-                                - ratio_q_P1_u_P4_of_place_25 * sin_q_p1_w_rod1_frame_2
-                                + cos_q_P1
-                                    * (-ratio_q_P1_u_P4_2_of_u_p4_51)
-                                        .mul_add(S::int(2), ratio_q_P1_u_P4_2_of_u_p4_52))))
-        + sin_q_p3_cos_q_p1 * cos_q_P1
-            * (ratio_q_P1_u_P4_2_of_u_p4_51 - ratio_q_P1_u_P4_2_of_u_p4_52)
-        + ratio_q_P1_u_P4_of_place_29 * sin_q_p3_sin_q_p1 * ratio_q_P1_u_P4_2_of_place_4;
-    let ratio_q_P1_u_P4_2_of_u_p4_54 = ratio_q_P1_u_P4_of_q_p5_2
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_30,
-            cos_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4,
-        );
-    let ratio_q_P1_u_P4_2_of_u_p4_55 = (-ratio_q_P1_u_P4_of_place_3)
-        .mul_add(cos_q_p2_w_rod2_frame_3, ratio_q_P1_u_P4_2_of_u_p4_54)
-        - ratio_q_P1_u_P4_2_of_u_p4_40 * sin_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_56 = ratio_q_P1_u_P4_of_place_13
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_25,
-            l * ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_9,
-        ) + ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_42
-        + ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_2_of_u_p4_44
-        + ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_2_of_u_p4_53
-        + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_55;
-    let ratio_q_P1_u_P4_2_of_u_p4_57 = (-ratio_q_P1_u_P4_of_place_9)
-        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_29 * sin_q_P1)
-        - ratio_q_P1_u_P4_of_place_11 * sin_q_p1_w_rod1_frame_2
-        + ratio_q_P1_u_P4_2_of_u_p4_31 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_58 = ratio_q_P1_u_P4_2_of_u_p4_41 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_59 = ratio_q_P1_u_P4_of_place_4
-        .mul_add(sin_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_58);
-    let ratio_q_P1_u_P4_2_of_u_p4_60 = (-ratio_q_P1_u_P4_2_of_u_p4_8)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_16 * sin_q_p1_w_rod1_frame_2);
-    let ratio_q_P1_u_P4_2_of_place_5 = w_rod2_frame_3 * ratio_q_P1_u_P4_of_place_17;
-    let ratio_q_P1_u_P4_2_of_u_p4_61 = (-ratio_q_P1_u_P4_of_place_62)
-        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_40 * sin_q_P1)
-        + ratio_q_P1_u_P4_2_of_u_p4_60 * sin_q_P2 + ratio_q_P1_u_P4_2_of_place_5 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_62 = l * ratio_q_P1_u_P4_2_of_u_p4_61;
-    let ratio_q_P1_u_P4_2_of_place_6 = ratio_q_P1_u_P4_of_place_13 * cos_q_p1_w_rod1_frame_2;
-    let ratio_q_P1_u_P4_2_of_u_p4_63 = (-ratio_q_P1_u_P4_of_place_60)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_38,
-            ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_u_p4_55,
-        ) - S::int(2) * ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_2_of_u_p4_42
-        - ratio_q_P1_u_P4_of_place_85 * ratio_q_P1_u_P4_2_of_place_6;
-    let ratio_q_P1_u_P4_2_of_place_7 = cos_q_p1_w_rod1_frame_2 * sin_q_P2;
-    let ratio_q_P1_u_P4_2_of_place_8 = (-cos_q_p2_w_rod2_frame_3)
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_2_of_place_7);
-    let ratio_q_P1_u_P4_2_of_u_p4_64 = sin_q_p2_sin_q_p1
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_29, ratio_q_P1_u_P4_2_of_u_p4_24)
-        - ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_place_8;
-    let ratio_q_P1_u_P4_2_of_place_9 = l * ratio_q_P1_u_P4_of_place_84;
-    let ratio_q_P1_u_P4_2_of_u_p4_65 = (-ratio_q_P1_u_P4_of_place_18)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_38,
-            ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_u_p4_9,
-        ) + ratio_q_P1_u_P4_of_place_85 * ratio_q_P1_u_P4_2_of_u_p4_64
-        - ratio_q_P1_u_P4_2_of_u_p4_42 * ratio_q_P1_u_P4_2_of_place_9;
-    let ratio_q_P1_u_P4_2_of_u_p4_66 = (-ratio_q_P1_u_P4_of_place_14)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_9,
-            ratio_q_P1_u_P4_2_of_u_p4_55 * ratio_q_P1_u_P4_2_of_place_9,
-        ) - ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_2_of_u_p4_43
-        - ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_2_of_place_6
-        - ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_2_of_u_p4_64;
-    let ratio_q_P1_u_P4_2_of_u_p4_67 = l * ratio_q_P1_u_P4_2_of_u_p4_57;
-    let ratio_q_P1_u_P4_2_of_u_p4_68 = l * ratio_q_P1_u_P4_2_of_u_p4_59;
-    let ratio_q_P1_u_P4_2_of_u_p4_69 = (-u_P4)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_32,
-            cos_q_p2_sin_q_p4 * ratio_q_P1_u_P4_2_of_u_p4,
-        ) + ratio_q_P1_u_P4_of_q_p4_q_p5 * sin_q_p2_w_rod2_frame_3
-        + ratio_q_P1_u_P4_of_q_p3_q_p5_3 * ratio_q_P1_u_P4_2_of_u_p4_14
-        + sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_16;
-    let ratio_q_P1_u_P4_2_of_u_p4_70 = ratio_q_P1_u_P4_2_of_u_p4
-        .mul_add(cos_q_P4, u_P4 * ratio_q_P1_u_P4_of_q_p4_q_p5);
-    let ratio_q_P1_u_P4_2_of_u_p4_71 = sin_q_p1_l_sq
-        * (ratio_q_P1_u_P4_of_place_49 * u_p4_sin_q_p4
-            - ratio_q_P1_u_P4_of_place_50 * sin_q_p2_w_rod2_frame_3
-            + cos_q_P2
-                * ((-ratio_q_P1_u_P4_of_place_35)
-                    .mul_add(
-                        cos_q_p1_w_rod1_frame_2,
-                        ratio_q_P1_u_P4_2_of_u_p4_13 * sin_q_P1,
-                    ) + ratio_q_P1_u_P4_2_of_u_p4_24)
-            + cos_q_P4
-                * (cos_q_P1
-                    * (ratio_q_P1_u_P4_2_of_u_p4_20
-                        + ratio_q_P1_u_P4_of_q_p2_q_p3 * ratio_q_P1_u_P4_2_of_u_p4_5
-                        + cos_q_P5 * (cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_4))
-                    - sin_q_p2_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_17
-                    - ratio_q_P1_u_P4_of_place_48 * sin_q_p1_w_rod1_frame_2
-                    - ratio_q_P1_u_P4_of_q_p3_q_p5_4 * ratio_q_P1_u_P4_2_of_place_8))
-        + ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_2_of_place;
-    let ratio_q_P1_u_P4_2_of_u_p4_72 = ratio_q_P1_u_P4_of_place_16
-        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_8 * sin_q_P1)
-        + ratio_q_P1_u_P4_of_place_44 * sin_q_p1_w_rod1_frame_2
-        - ratio_q_P1_u_P4_2_of_u_p4_55 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_73 = ratio_q_P1_u_P4_of_place_55 * ratio_q_P1_u_P4_2_of_u_p4
-        + ratio_q_P1_u_P4_of_place_56 * ratio_q_P1_u_P4_2_of_u_p4_5
-        + cos_q_P5
-            * (ratio_q_P1_u_P4_of_place_6
-                .mul_add(sin_q_p1_w_rod1_frame_2, cos_q_p3_sin_q_p1 * u_p4_cos_q_p4)
-                - ratio_q_P1_u_P4_2_of_u_p4_33 * sin_q_P4 + ratio_q_P1_u_P4_2_of_u_p4_36 * cos_q_P1)
-        + sin_q_P5
-            * (cos_q_p1_w_rod1_frame_2
-                .mul_add(sin_q_P3, ratio_q_P1_u_P4_2_of_u_p4_4 * sin_q_P1)
-                + cos_q_p3_cos_q_p1 * cos_q_p2_w_rod2_frame_3
-                + ratio_q_P1_u_P4_2_of_u_p4_37 * sin_q_P2);
-    let ratio_q_P1_u_P4_2_of_u_p4_74 = ratio_q_P5_u_P4_of_place_8
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_38,
-            l * ratio_q_P1_u_P4_of_place_57 * ratio_q_P1_u_P4_2_of_u_p4_32,
-        ) + ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_u_p4_72
-        - ratio_q_P1_u_P4_of_place_58 * ratio_q_P1_u_P4_2_of_u_p4_73;
-    let ratio_q_P1_u_P4_2_of_place_10 = l * ratio_q_P1_u_P4_of_place_59;
-    let ratio_q_P1_u_P4_2_of_u_p4_75 = ratio_q_P1_u_P4_of_place_13
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_71,
-            ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_u_p4_42,
-        ) - ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_2_of_u_p4_74
-        + ratio_q_P1_u_P4_2_of_u_p4_55 * ratio_q_P1_u_P4_2_of_place_10;
-    let ratio_q_P1_u_P4_2_of_u_p4_76 = ratio_q_P1_u_P4_2_of_u_p4_55
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_44 * cos_q_p1_w_rod1_frame_2)
-        - ratio_q_P1_u_P4_2_of_u_p4_60;
-    let ratio_q_P1_u_P4_2_of_u_p4_77 = l * ratio_q_P1_u_P4_2_of_u_p4_76;
-    let ratio_q_P1_u_P4_2_of_u_p4_78 = ratio_q_P1_u_P4_of_place_65
-        * cos_q_p1_w_rod1_frame_2 + ratio_q_P1_u_P4_of_place_67 * sin_q_p1_w_rod1_frame_2
-        + sin_q_P1
-            * ((-ratio_q_P1_u_P4_of_place_36)
-                .mul_add(
-                    sin_q_p2_w_rod2_frame_3,
-                    ratio_q_P1_u_P4_of_place_9 * cos_q_p2_w_rod2_frame_3,
-                ) - ratio_q_P1_u_P4_2_of_u_p4_18 * cos_q_P2
-                - ratio_q_P1_u_P4_of_q_p2 * ratio_q_P1_u_P4_2_of_u_p4_29)
+                sin_q_P3,
+                ratio_q_P2_u_P1_of_q_p4_q_p5_10 * ratio_q_P2_u_P1_2_of_u_p1_16,
+            ) + cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_20
+            + ratio_q_P2_u_P1_of_q_p4_q_p5_11 * ratio_q_P2_u_P1_2_of_u_p1_27)
+        + ratio_q_P2_u_P1_of_place_89 * cos_q_p2_w_rod2_frame_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_31 = ratio_q_P3_u_P1 * u_p1_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_u_p1_32 = (ratio_q_P2_u_P1_2_of_u_p1_31 * cos_q_P2)
+        .mul_add(cos_q_P3, ratio_q_P2_u_P1_2_of_u_p1_29 * sin_q_P3);
+    let u_p1_cos_q_p1 = u_P1 * cos_q_P1;
+    let u_p1_sin_q_p1 = u_P1 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_33 = ratio_q_P2_u_P1_of_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_8;
+    let ratio_q_P2_u_P1_2_of_u_p1_34 = ratio_q_P2_u_P1_2_of_u_p1_6 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_35 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_23, ratio_q_P2_u_P1_2_of_u_p1_34 * cos_q_P5);
+    let ratio_q_P2_u_P1_2_of_u_p1_36 = ratio_q_P2_u_P1_2_of_u_p1_24
+        .mul_add(cos_q_P2, ratio_q_P2_u_P1_of_q_p4_q_p5 * sin_q_p2_w_rod2_frame_3);
+    let ratio_q_P2_u_P1_2_of_u_p1_37 = -ratio_q_P2_u_P1_of_place_97
+        * ratio_q_P2_u_P1_2_of_u_p1_22
+            .mul_add(cos_q_P5, ratio_q_P2_u_P1_2_of_u_p1_6 * sin_q_P5)
+        + ratio_q_P2_u_P1_of_place_96 * ratio_q_P2_u_P1_2_of_u_p1_19
+        + ratio_q_P2_u_P1_of_place_95 * u_p1_sin_q_p1
         + cos_q_P1
-            * (-cos_q_P3
-                * (ratio_q_P1_u_P4_2_of_u_p4_30
-                    - ratio_q_P1_u_P4_of_q_p2_q_p4 * ratio_q_P1_u_P4_2_of_u_p4
-                    + sin_q_P5 * (cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_30))
-                + ratio_q_P1_u_P4_of_q_p2_q_p4_2 * ratio_q_P1_u_P4_2_of_u_p4_6
-                + ratio_q_P1_u_P4_of_place_66 * ratio_q_P1_u_P4_2_of_u_p4_7
-                - sin_q_p3_cos_q_p5
-                    * (ratio_q_P1_u_P4_of_q_p2_2
-                        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_2_of_u_p4_30)
-                        + ratio_q_P1_u_P4_2_of_place_3));
-    let ratio_q_P1_u_P4_2_of_u_p4_79 = (-cos_q_p1_l_sq)
+            * (sin_q_P1
+                * (ratio_q_P2_u_P1_2_of_u_p1_14 - S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_21
+                    - ratio_q_P2_u_P1_of_place_87 * sin_q_p2_w_rod2_frame_3
+                    + cos_q_P2
+                        * (-cos_q_P2
+                            * (ratio_q_P2_u_P1_2_of_u_p1
+                                + ratio_q_P2_u_P1_of_q_p4_q_p5_6 * ratio_q_P2_u_P1_2_of_u_p1_3
+                                + sin_q_P4
+                                    * ratio_q_P2_u_P1_2_of_u_p1_5
+                                        .mul_add(S::int(4), ratio_q_P2_u_P1_2_of_u_p1)
+                                - S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_7
+                                - ratio_q_P2_u_P1_2_of_u_p1_21)
+                            + ratio_q_P2_u_P1_of_place_86 * ratio_q_P2_u_P1_2_of_u_p1_23
+                            - ratio_q_P2_u_P1_of_place_85 * sin_q_p2_w_rod2_frame_3
+                            - sin_q_p2_cos_q_p4
+                                * ((-ratio_q_P2_u_P1_of_q_p4_q_p5_13)
+                                    .mul_add(
+                                        ratio_q_P2_u_P1_2_of_u_p1_16,
+                                        ratio_q_P2_u_P1_2_of_u_p1_26 * sin_q_P3,
+                                    )
+                                    + ratio_q_P2_u_P1_of_q_p4_q_p5_14 * ratio_q_P2_u_P1_2_of_u_p1_27
+                                    + cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_28)))
+                + cos_q_P1
+                    * (ratio_q_P2_u_P1_of_place_93 * ratio_q_P2_u_P1_2_of_u_p1_15
+                        - ratio_q_P2_u_P1_of_place_91 * ratio_q_P2_u_P1_2_of_u_p1_19
+                        + cos_q_P3
+                            * ((-ratio_q_P2_u_P1_of_q_p4_q_p5_13)
+                                .mul_add(
+                                    ratio_q_P2_u_P1_2_of_u_p1_29,
+                                    cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_2_of_u_p1_26,
+                                ) + S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_30)
+                        + cos_q_P5
+                            * ((-ratio_q_P2_u_P1_2_of_u_p1_20)
+                                .mul_add(
+                                    sin_q_P2,
+                                    ratio_q_P2_u_P1_of_q_p4_q_p5_11 * cos_q_p2_w_rod2_frame_3,
+                                ) - ratio_q_P2_u_P1_of_place_92 * ratio_q_P2_u_P1_2_of_u_p1_28
+                                + ratio_q_P2_u_P1_of_q_p4_q_p5_14 * ratio_q_P2_u_P1_2_of_u_p1_32))
+                - ratio_q_P2_u_P1_of_place_88 * u_p1_cos_q_p1
+                - ratio_q_P2_u_P1_of_place_94 * u_p1_sin_q_p1)
+        + cos_q_P3
+            * (-ratio_q_P2_u_P1_2_of_u_p1_30
+                + ratio_q_P2_u_P1_of_q_p4_q_p5_15 * ratio_q_P2_u_P1_2_of_u_p1_29
+                - cos_q_p2_cos_q_p4 * (ratio_q_P2_u_P1_2_of_u_p1_25 + ratio_q_P2_u_P1_2_of_u_p1_33))
+        + cos_q_p4_cos_q_p5
+            * ((-ratio_q_P2_u_P1_of_place_23)
+                .mul_add(ratio_q_P2_u_P1_2_of_u_p1_16, ratio_q_P2_u_P1_2_of_u_p1_35)
+                + ratio_q_P2_u_P1_2_of_u_p1_36 * sin_q_P3);
+    let ratio_q_P2_u_P1_2_of_u_p1_38 = ratio_q_P2_u_P1_2_of_u_p1_3 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_39 = sin_q_p2_w_rod2_frame_3
+        .mul_add(sin_q_P4, ratio_q_P2_u_P1_2_of_u_p1_38);
+    let ratio_q_P2_u_P1_2_of_u_p1_40 = ratio_q_P2_u_P1_2_of_u_p1_31 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_41 = ratio_q_P2_u_P1_2_of_u_p1_40
+        .mul_add(cos_q_P3, -ratio_q_P2_u_P1_2_of_u_p1_39);
+    let ratio_q_P2_u_P1_2_of_u_p1_42 = ratio_q_P4_u_P1 * u_p1_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_43 = (-cos_q_p3_sin_q_p4)
         .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_78,
-            w_rod1_frame_2 * sin_q_p1_l_sq * ratio_q_P1_u_P4_of_place_68,
+            ratio_q_P2_u_P1_2_of_u_p1_42,
+            sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_31,
         );
-    let ratio_q_P1_u_P4_2_of_u_p4_80 = (-ratio_q_P1_u_P4_of_place_18)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_74,
-            ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_2_of_u_p4_42,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_9 * ratio_q_P1_u_P4_2_of_place_10
-        - ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_2_of_u_p4_79;
-    let ratio_q_P1_u_P4_2_of_u_p4_81 = (-ratio_q_P1_u_P4_of_place_69)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_55,
-            ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_u_p4_9,
-        ) + ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_2_of_u_p4_71
-        + ratio_q_P1_u_P4_of_place_33 * ratio_q_P1_u_P4_2_of_u_p4_79;
-    let ratio_q_P1_u_P4_2_of_u_p4_82 = ratio_q_P1_u_P4_of_place_76
-        * ((-ratio_q_P1_u_P4_of_place_61)
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_u_p4_62,
-                ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_u_p4_56,
-            ) - ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_67
-            - ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_2_of_u_p4_68
-            + ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_u_p4_75
-            + ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_2_of_u_p4_77
-            + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_u_p4_80
-            - ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_2_of_u_p4_81);
-    let ratio_q_P1_u_P4_2_of_u_p4_83 = (-ratio_q_P1_u_P4_of_place_42)
-        .mul_add(
-            sin_q_p1_w_rod1_frame_2,
-            ratio_q_P1_u_P4_of_q_p4_q_p5_5 * ratio_q_P1_u_P4_2_of_u_p4_33,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_69 * cos_q_P1
-        + cos_q_p3_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_70;
-    let ratio_q_P1_u_P4_2_of_u_p4_84 = ratio_q_P1_u_P4_of_place_77
-        * ratio_q_P1_u_P4_of_place_43
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_83);
-    let ratio_q_P1_u_P4_2_of_u_p4_85 = (-ratio_q_P1_u_P4_2_of_u_p4_2)
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_2_of_u_p4_4)
-        + ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_p2_w_rod2_frame_3
-        + ratio_q_P1_u_P4_2_of_u_p4_54 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_86 = ratio_q_P1_u_P4_of_place_77
-        * ratio_q_P1_u_P4_of_place_81
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_85);
-    let ratio_q_P1_u_P4_2_of_u_p4_87 = (-ratio_q_P1_u_P4_of_place_42)
-        .mul_add(
-            cos_q_p1_w_rod1_frame_2,
-            cos_q_p3_cos_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_70,
-        ) - ratio_q_P1_u_P4_of_q_p4_q_p5_5 * ratio_q_P1_u_P4_2_of_u_p4_37
-        - ratio_q_P1_u_P4_2_of_u_p4_69 * sin_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_88 = ratio_q_P1_u_P4_of_place_77
-        * ratio_q_P1_u_P4_of_place_89
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, ratio_q_P1_u_P4_2_of_u_p4_87);
-    let ratio_q_P1_u_P4_2_of_u_p4_89 = ratio_q_P1_u_P4_2_of_u_p4 + ratio_q_P1_u_P4_2_of_u_p4_10;
-    let ratio_q_P1_u_P4_2_of_u_p4_90 = sin_q_P1
-        * ((-sin_q_p2_cos_q_p4)
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, u_P4 * cos_q_p2_cos_q_p4)
-            - sin_q_p2_w_rod2_frame_3 * sin_q_P4 - ratio_q_P1_u_P4_2_of_u_p4_14 * sin_q_P3)
-        + cos_q_p3_cos_q_p1 * u_p4_sin_q_p4 - ratio_q_P1_u_P4_of_place_94 * cos_q_p1_w_rod1_frame_2
-        - ratio_q_P1_u_P4_2_of_u_p4_37 * cos_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_91 = cos_q_P5
-        * ratio_q_P1_u_P4_of_place_95
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_90);
-    let ratio_q_P1_u_P4_2_of_u_p4_92 = ratio_q_P1_u_P4_of_place_93
-        * ratio_q_P1_u_P4_2_of_u_p4_91
-            .mul_add(
-                cos_q_P5,
-                S::int(2) * ratio_q_P1_u_P4_of_place_95 * ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P5,
-            );
-    let ratio_q_P1_u_P4_2 = ratio_q_P1_u_P4_of_place_82
-        * (ratio_q_P1_u_P4_of_place_64
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_u_p4_44,
-                ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_25,
-            ) - ratio_q_P1_u_P4_of_place_79 * ratio_q_P1_u_P4_2_of_u_p4_53
-            - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_57
-            + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_59
-            - ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_62)
-        - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_56
-        + ratio_q_P1_u_P4_of_place_90
-            * ((-ratio_q_P1_u_P4_of_place_83)
+    let sin_q_p1_u_p1_cos_q_p4 = u_p1_cos_q_p4 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_44 = sin_q_p1_u_p1_cos_q_p4
+        .mul_add(cos_q_P3, ratio_q_P2_u_P1_2_of_u_p1_43);
+    let ratio_q_P2_u_P1_2_of_u_p1_45 = cos_q_P5
+        * (sin_q_P1
+            * ratio_q_P2_u_P1_2_of_u_p1_23
+                .mul_add(sin_q_P3, ratio_q_P2_u_P1_2_of_u_p1_41)
+            + ratio_q_P2_u_P1_of_place_9 * u_p1_cos_q_p1 + ratio_q_P2_u_P1_2_of_u_p1_44)
+        - ratio_q_P2_u_P1_of_place_11 * ratio_q_P2_u_P1_2_of_u_p1_15;
+    let ratio_q_P2_u_P1_2_of_u_p1_46 = ratio_q_P2_u_P1_2_of_u_p1_6 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_47 = (-ratio_q_P2_u_P1_2_of_u_p1_24)
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_q_p4_q_p5 * cos_q_p2_w_rod2_frame_3)
+        - ratio_q_P2_u_P1_of_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1_32
+        + sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_46;
+    let ratio_q_P2_u_P1_2_of_u_p1_48 = ratio_q_P2_u_P1_2_of_u_p1 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_49 = sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_50 = (-ratio_q_P2_u_P1_2_of_u_p1_19)
+        .mul_add(sin_q_P5, ratio_q_P2_u_P1_2_of_u_p1_18 * sin_q_P4)
+        - ratio_q_P2_u_P1_2_of_u_p1_48 - ratio_q_P2_u_P1_2_of_u_p1_49;
+    let ratio_q_P2_u_P1_2_of_u_p1_51 = (-ratio_q_P2_u_P1_of_place_6)
+        .mul_add(sin_q_p2_w_rod2_frame_3, ratio_q_P2_u_P1_2_of_u_p1_23 * cos_q_P5)
+        + ratio_q_P2_u_P1_2_of_u_p1_34 * sin_q_P5 + ratio_q_P2_u_P1_2_of_u_p1_50 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_52 = u_p1_cos_q_p1
+        .mul_add(sin_q_P2, w_rod2_frame_3 * cos_q_p2_sin_q_p1);
+    let sin_q_p3_u_p1_sin_q_p1 = u_p1_sin_q_p1 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_53 = ratio_q_P2_u_P1_2_of_u_p1_16 * cos_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_54 = sin_q_P4
+        * cos_q_p2_w_rod2_frame_3
+            .mul_add(sin_q_P3, ratio_q_P2_u_P1_2_of_u_p1_16 * sin_q_P2)
+        - sin_q_p2_sin_q_p3 * ratio_q_P2_u_P1_2_of_u_p1_3 - ratio_q_P2_u_P1_2_of_u_p1_29;
+    let cos_q_p3_u_p1_sin_q_p1 = u_p1_sin_q_p1 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_55 = ratio_q_P2_u_P1_2_of_u_p1_19
+        .mul_add(cos_q_P1, cos_q_p3_u_p1_sin_q_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_56 = ratio_q_P2_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_15
+        - ratio_q_P2_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1
+        + cos_q_P5
+            * ((-sin_q_p2_sin_q_p1)
                 .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_62,
-                    ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_u_p4_63,
-                ) + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_u_p4_65
-                - ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_2_of_u_p4_66
-                + ratio_q_P1_u_P4_of_place_87 * ratio_q_P1_u_P4_2_of_u_p4_67
-                - ratio_q_P1_u_P4_of_place_86 * ratio_q_P1_u_P4_2_of_u_p4_68)
-        + ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_2_of_u_p4_84
-        + ratio_q_P1_u_P4_of_place_80 * ratio_q_P1_u_P4_2_of_u_p4_86
-        - ratio_q_P1_u_P4_of_place_88 * ratio_q_P1_u_P4_2_of_u_p4_88
-        + ratio_q_P1_u_P4_of_place_98
-            * (ratio_q_P1_u_P4_2_of_u_p4_4 - ratio_q_P1_u_P4_of_place_91 * u_p4_cos_q_p4
-                + sin_q_P4
-                    * ((-ratio_q_P1_u_P4_of_q_p4_q_p5_6)
-                        .mul_add(
-                            ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_2,
-                        ) - ratio_q_P1_u_P4_2_of_u_p4_10 + ratio_q_P1_u_P4_2_of_u_p4_49 * sin_q_P3)
-                - ratio_q_P1_u_P4_2_of_u_p4_89)
-        - ratio_q_P1_u_P4_of_place_92 * ratio_q_P1_u_P4_2_of_u_p4_92;
-    let alpha_rod1_frame_2 = u_P4 * ratio_q_P1_u_P4_2;
-    let a_rod1_centre_3 = l * alpha_rod1_frame_2;
-    let x_rod1_frame_3 = m * a_rod1_centre_3;
-    let m_l_sq = m * l_sq;
-    let x_rod1_frame_2_2 = alpha_rod1_frame_2 * m_l_sq;
-    let w_rod1_frame_in_rod2_frame_1 = w_rod1_frame_2 * sin_q_P2;
-    let w_rod1_frame_in_rod2_frame_2 = w_rod1_frame_2 * cos_q_P2;
-    let ratio_q_P2_u_P4_2_of_u_p4 = (-ratio_q_P1_u_P4_of_place_63)
+                    ratio_q_P2_u_P1_2_of_u_p1_19,
+                    ratio_q_P2_u_P1_2_of_u_p1_52 * cos_q_P3,
+                ) - sin_q_p3_u_p1_sin_q_p1 + ratio_q_P2_u_P1_2_of_u_p1_53)
+        - sin_q_P5
+            * (ratio_q_P2_u_P1_of_place_3
+                .mul_add(u_p1_cos_q_p1, cos_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_3)
+                + ratio_q_P2_u_P1_2_of_u_p1_54 * sin_q_P1
+                + ratio_q_P2_u_P1_2_of_u_p1_55 * sin_q_P4);
+    let ratio_q_P2_u_P1_2_of_u_p1_57 = ratio_q_P2_u_P1_of_place_5
         .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_42,
-            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_2_of_u_p4_61,
-        );
-    let ratio_q_P2_u_P4_2_of_u_p4_2 = (-ratio_q_P1_u_P4_of_place_17)
+            ratio_q_P2_u_P1_2_of_u_p1_47,
+            ratio_q_P2_u_P1_of_place_8 * ratio_q_P2_u_P1_2_of_u_p1_45,
+        ) - ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_u_p1_51
+        - ratio_q_P2_u_P1_of_place_27 * ratio_q_P2_u_P1_2_of_u_p1_56;
+    let ratio_q_P2_u_P1_2_of_u_p1_58 = ratio_q_P2_u_P1_2_of_u_p1 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_59 = ratio_q_P2_u_P1_2_of_u_p1_16 * sin_q_P5;
+    let ratio_q_P2_u_P1_2_of_u_p1_60 = cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_61 = ratio_q_P2_u_P1_2_of_u_p1_27
+        .mul_add(sin_q_P4, -ratio_q_P2_u_P1_2_of_u_p1_58) + ratio_q_P2_u_P1_2_of_u_p1_59
+        + ratio_q_P2_u_P1_2_of_u_p1_60;
+    let ratio_q_P2_u_P1_2_of_u_p1_62 = (-ratio_q_P2_u_P1_2_of_u_p1_50)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_6 * u_p1_sin_q_p1)
+        - ratio_q_P2_u_P1_of_place_19 * ratio_q_P2_u_P1_2_of_u_p1_52
+        + sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_61;
+    let ratio_q_P2_u_P1_2_of_u_p1_63 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_2)
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_19, ratio_q_P2_u_P1_2_of_u_p1_18)
+        - ratio_q_P2_u_P1_2_of_u_p1_24 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_64 = ratio_q_P2_u_P1_2_of_u_p1_63 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_place = ratio_q_P2_u_P1_of_place_16 * sin_q_p2_w_rod2_frame_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_65 = ratio_q_P2_u_P1_2_of_place - ratio_q_P2_u_P1_2_of_u_p1_64;
+    let ratio_q_P2_u_P1_2_of_place_2 = l * ratio_q_P2_u_P1_of_place_20;
+    let ratio_q_P2_u_P1_2_of_u_p1_66 = (-ratio_q_P2_u_P1_of_place_66)
         .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_57,
-            ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_9,
+            ratio_q_P2_u_P1_2_of_u_p1_56,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_2_of_u_p1_65,
+        ) - ratio_q_P2_u_P1_of_place_8 * ratio_q_P2_u_P1_2_of_u_p1_62
+        + ratio_q_P2_u_P1_2_of_u_p1_51 * ratio_q_P2_u_P1_2_of_place_2;
+    let ratio_q_P2_u_P1_2_of_u_p1_67 = ratio_q_P2_u_P1_of_place_27
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_62,
+            ratio_q_P2_u_P1_of_place_66 * ratio_q_P2_u_P1_2_of_u_p1_45,
+        ) + ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_u_p1_65
+        + ratio_q_P2_u_P1_2_of_u_p1_47 * ratio_q_P2_u_P1_2_of_place_2;
+    let ratio_q_P2_u_P1_2_of_u_p1_68 = (-ratio_q_P2_u_P1_2_of_u_p1_24)
+        .mul_add(sin_q_P3, ratio_q_P2_u_P1_of_q_p4_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1_16)
+        + ratio_q_P2_u_P1_2_of_u_p1_27;
+    let ratio_q_P2_u_P1_2_of_u_p1_69 = (-ratio_q_P2_u_P1_2_of_u_p1_63)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_16 * u_p1_sin_q_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_70 = l
+        * (-u_p1_cos_q_p1
+            * ratio_q_P2_u_P1
+                .mul_add(ratio_q_P2_u_P1_of_place_21, ratio_q_P2_u_P1_of_place_15)
+            + ratio_q_P2_u_P1_2_of_u_p1_68 * sin_q_P1 + ratio_q_P2_u_P1_2_of_u_p1_69 * sin_q_P2);
+    let ratio_q_P2_u_P1_2_of_u_p1_71 = (-sin_q_p3_cos_q_p5)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_34,
+            ratio_q_P2_u_P1_of_q_p3_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_23,
+        ) - ratio_q_P2_u_P1_2_of_u_p1_36
+        + ratio_q_P2_u_P1_of_q_p3_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1_40;
+    let ratio_q_P2_u_P1_2_of_u_p1_72 = cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_6;
+    let ratio_q_P2_u_P1_2_of_u_p1_73 = l
+        * (ratio_q_P2_u_P1_of_place_24 * u_p1_sin_q_p1
+            - ratio_q_P2_u_P1_of_q_p5_2 * cos_q_p3_cos_q_p1 * u_p1_cos_q_p4
+            - ratio_q_P4_u_P1 * ratio_q_P2_u_P1_of_q_p4_q_p5 * cos_q_p3_u_p1_sin_q_p1
+            - ratio_q_P2_u_P1_2_of_u_p1_71 * cos_q_P1
+            + sin_q_P1
+                * ratio_q_P2_u_P1_of_q_p3_q_p5
+                    .mul_add(
+                        ratio_q_P2_u_P1_2_of_u_p1_31, ratio_q_P2_u_P1_2_of_u_p1_72,
+                    ));
+    let ratio_q_P2_u_P1_2_of_u_p1_74 = (-ratio_q_P2_u_P1_2_of_u_p1_29)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_6 * cos_q_p2_w_rod2_frame_3)
+        - ratio_q_P2_u_P1_2_of_u_p1_46 * sin_q_P5 + ratio_q_P2_u_P1_2_of_u_p1_50 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_75 = l
+        * ((-ratio_q_P2_u_P1_2_of_u_p1_61)
+            .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_19 * u_p1_cos_q_p1)
+            + ratio_q_P2_u_P1_of_place_29 * u_p1_sin_q_p1
+            + ratio_q_P2_u_P1_2_of_u_p1_74 * cos_q_P1);
+    let cos_q_p2_u_p1_cos_q_p1 = u_p1_cos_q_p1 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_76 = ratio_q_P2_u_P1_of_place_32
+        .mul_add(
+            cos_q_p2_w_rod2_frame_3,
+            ratio_q_P2_u_P1_of_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1_29,
+        ) - ratio_q_P2_u_P1_2_of_u_p1_46 * cos_q_P5 - ratio_q_P2_u_P1_2_of_u_p1_68 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_77 = (-ratio_q_P2_u_P1_of_place_29)
+        .mul_add(u_p1_cos_q_p1, ratio_q_P2_u_P1_of_place_19 * u_p1_sin_q_p1)
+        + ratio_q_P2_u_P1_2_of_u_p1_61 * cos_q_P1 + ratio_q_P2_u_P1_2_of_u_p1_74 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_78 = sin_q_p2_w_rod2_frame_3
+        .mul_add(sin_q_P1, -cos_q_p2_u_p1_cos_q_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_79 = l * ratio_q_P2_u_P1_2_of_u_p1_51;
+    let ratio_q_P2_u_P1_2_of_u_p1_80 = ratio_q_P2_u_P1_of_place_8 * u_p1_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_81 = ratio_q_P2_u_P1_2_of_u_p1_79
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_2_of_u_p1_80);
+    let ratio_q_P2_u_P1_2_of_u_p1_82 = ratio_q_P2_u_P1_of_place_32
+        .mul_add(sin_q_p2_w_rod2_frame_3, -ratio_q_P2_u_P1_2_of_u_p1_35)
+        + ratio_q_P2_u_P1_2_of_u_p1_68 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_83 = ratio_q_P2_u_P1_of_place_81
+        * ratio_q_P2_u_P1_2_of_u_p1_56 * sin_q_P1
+        + ratio_q_P2_u_P1_of_place_42 * ratio_q_P2_u_P1_2_of_u_p1_77
+        - ratio_q_P2_u_P1_of_place_37 * ratio_q_P2_u_P1_2_of_u_p1_81
+        + ratio_q_P2_u_P1_of_place_5
+            * (-ratio_q_P2_u_P1_2_of_u_p1_82)
+                .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_41 * u_p1_cos_q_p1);
+    let ratio_q_P2_u_P1_2_of_place_3 = l * ratio_q_P2_u_P1_of_place_43;
+    let ratio_q_P2_u_P1_2_of_place_4 = ratio_q_P2_u_P1_of_place_7 * l_sq;
+    let ratio_q_P2_u_P1_2_of_u_p1_84 = ratio_q_P2_u_P1_of_q_p5_2
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_19, ratio_q_P2_u_P1_2_of_u_p1_48);
+    let ratio_q_P2_u_P1_2_of_u_p1_85 = ratio_q_P2_u_P1_of_q_p3
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_15, ratio_q_P2_u_P1_2_of_u_p1_17)
+        + ratio_q_P2_u_P1_2_of_u_p1_84;
+    let ratio_q_P2_u_P1_2_of_u_p1_86 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_16, ratio_q_P2_u_P1_2_of_u_p1_58);
+    let ratio_q_P2_u_P1_2_of_u_p1_87 = ratio_q_P2_u_P1_of_q_p4_q_p5
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_78,
+            cos_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_24,
         );
-    let ratio_q_P2_u_P4_2_of_u_p4_3 = sin_q_P4
-        * ratio_q_P1_u_P4_of_q_p5_2
-            .mul_add(
-                cos_q_p2_w_rod2_frame_3,
-                ratio_q_P1_u_P4_of_q_p2 * ratio_q_P1_u_P4_2_of_u_p4,
-            ) - ratio_q_P2_u_P4_of_q_p2_q_p5 * u_p4_cos_q_p4;
-    let ratio_q_P2_u_P4_2_of_u_p4_4 = cos_q_p2_w_rod2_frame_3 - ratio_q_P2_u_P4_2_of_u_p4_3;
-    let ratio_q_P2_u_P4_2 = ratio_q_P1_u_P4_of_place_82
-        * ((-ratio_q_P1_u_P4_of_place_69)
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_u_p4_57,
-                l_sq * ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_2_of_u_p4_53,
-            ) - ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_u_p4_74
-            - ratio_q_P1_u_P4_2_of_u_p4_61 * ratio_q_P1_u_P4_2_of_place_10
-            + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_76
-            - ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_79)
-        - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_80
-        + ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_2_of_u_p4_84
-        - ratio_q_P2_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_86
-        + ratio_q_P2_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_88
-        - ratio_q_P2_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_u_p4_92
-        + ratio_q_P1_u_P4_of_place_90
-            * (l_sq * ratio_q_P2_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_73
-                - ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_u_p4_65
-                - ratio_q_P1_u_P4_of_place_86 * ratio_q_P1_u_P4_2_of_u_p4_77
-                - ratio_q_P2_u_P4_of_place_3
-                    * (ratio_q_P2_u_P4_2_of_u_p4 + ratio_q_P2_u_P4_2_of_u_p4_2))
-        + ratio_q_P1_u_P4_of_place_98
-            * (ratio_q_P2_u_P4_of_q_p2_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_6
-                - ratio_q_P2_u_P4_of_place_8 * ratio_q_P1_u_P4_2_of_u_p4_7
-                + sin_q_p3_cos_q_p5
-                    * (cos_q_p2_cos_q_p4 * (u_P4 + w_rod2_frame_3)
-                        - ratio_q_P1_u_P4_of_q_p4 * sin_q_p2_w_rod2_frame_3
-                        - ratio_q_P1_u_P4_of_q_p2_2 * u_p4_sin_q_p4)
-                + cos_q_P3
-                    * (cos_q_P2
-                        * (-ratio_q_P1_u_P4_of_q_p4)
+    let ratio_q_P2_u_P1_2_of_u_p1_88 = cos_q_p2_sin_q_p1
+        * (ratio_q_P2_u_P1_of_place_48
+            * u_p1_cos_q_p1.mul_add(cos_q_P5, ratio_q_P2_u_P1_2_of_u_p1_15 * sin_q_P1)
+            - ratio_q_P2_u_P1_of_place_46 * ratio_q_P2_u_P1_2_of_u_p1_19
+            - cos_q_p5_sin_q_p1
+                * (ratio_q_P2_u_P1_2_of_u_p1_39
+                    + ratio_q_P2_u_P1_of_place_47 * ratio_q_P2_u_P1_2_of_u_p1_16
+                    + sin_q_P3
+                        * ratio_q_P2_u_P1_of_q_p3
                             .mul_add(
-                                ratio_q_P1_u_P4_2_of_u_p4,
-                                ratio_q_P2_u_P4_of_q_p5 * u_p4_cos_q_p4,
-                            ) - ratio_q_P2_u_P4_of_q_p4_q_p5 * sin_q_p2_w_rod2_frame_3
-                        + ratio_q_P2_u_P4_of_place_7 * u_p4_sin_q_p4
-                        + cos_q_P4
-                            * (ratio_q_P1_u_P4_2_of_u_p4_54 - ratio_q_P2_u_P4_2_of_u_p4_4)));
+                                ratio_q_P2_u_P1_2_of_u_p1_23, ratio_q_P2_u_P1_2_of_u_p1_41,
+                            ))
+            - cos_q_P3
+                * (cos_q_P4
+                    * ((-ratio_q_P2_u_P1_of_q_p3_q_p5_4)
+                        .mul_add(
+                            u_p1_sin_q_p1,
+                            sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_86,
+                        ) - ratio_q_P2_u_P1_of_q_p3_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_52
+                        - ratio_q_P2_u_P1_2_of_u_p1_85 * cos_q_P1)
+                    - ratio_q_P2_u_P1_of_place_44 * ratio_q_P2_u_P1_2_of_u_p1_22
+                    + ratio_q_P2_u_P1_2_of_u_p1_87));
+    let ratio_q_P2_u_P1_2_of_u_p1_89 = ratio_q_P2_u_P1_of_place_50 * ratio_q_P2_u_P1_2_of_u_p1_51
+        + l * ratio_q_P2_u_P1_of_place_38 * ratio_q_P2_u_P1_2_of_u_p1_76
+        + ratio_q_P2_u_P1_of_place_39
+            * (l
+                * ratio_q_P2_u_P1_of_place_36
+                    .mul_add(
+                        ratio_q_P2_u_P1_2_of_u_p1_56,
+                        ratio_q_P2_u_P1_of_place_37 * ratio_q_P2_u_P1_2_of_u_p1_45,
+                    )
+                + ratio_q_P2_u_P1_of_place_5
+                    * (ratio_q_P2_u_P1_of_q_p5_2
+                        .mul_add(
+                            ratio_q_P2_u_P1_2_of_u_p1_44,
+                            ratio_q_P2_u_P1_of_place_24 * u_p1_cos_q_p1,
+                        ) + ratio_q_P2_u_P1_2_of_u_p1_71 * sin_q_P1
+                        + ratio_q_P2_u_P1_2_of_u_p1_72 * cos_q_P1)
+                + ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_u_p1_77)
+        - ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_of_place_49 * ratio_q_P2_u_P1_2_of_u_p1_78
+        + ratio_q_P2_u_P1_of_place_27 * ratio_q_P2_u_P1_2_of_u_p1_83
+        - ratio_q_P2_u_P1_2_of_u_p1_47 * ratio_q_P2_u_P1_2_of_place_3
+        + ratio_q_P2_u_P1_2_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_88;
+    let ratio_q_P2_u_P1_2_of_u_p1_90 = S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_4;
+    let ratio_q_P2_u_P1_2_of_u_p1_91 = ratio_q_P2_u_P1_2_of_u_p1_90
+        - ratio_q_P2_u_P1_of_q_p4_2 * ratio_q_P2_u_P1_2_of_u_p1
+        - sin_q_P5 * (ratio_q_P2_u_P1_2_of_u_p1_3 + ratio_q_P2_u_P1_2_of_u_p1_90);
+    let ratio_q_P2_u_P1_2_of_u_p1_92 = ratio_q_P2_u_P1_2_of_u_p1_91 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_93 = ratio_q_P2_u_P1_of_q_p4_q_p5_3
+        * ratio_q_P2_u_P1_2_of_u_p1_16;
+    let ratio_q_P2_u_P1_2_of_u_p1_94 = ratio_q_P2_u_P1_2_of_u_p1 + ratio_q_P2_u_P1_2_of_u_p1_24;
+    let ratio_q_P2_u_P1_2_of_u_p1_95 = cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_2_of_u_p1_94;
+    let ratio_q_P2_u_P1_2_of_u_p1_96 = ratio_q_P2_u_P1_of_q_p4
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_18, -ratio_q_P2_u_P1_2_of_u_p1_49);
+    let ratio_q_P2_u_P1_2_of_u_p1_97 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_3)
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_19, ratio_q_P2_u_P1_2_of_u_p1_91 * cos_q_P3);
+    let ratio_q_P2_u_P1_2_of_u_p1_98 = ratio_q_P2_u_P1_2_of_u_p1_27 + ratio_q_P2_u_P1_2_of_u_p1_86;
+    let ratio_q_P2_u_P1_2_of_u_p1_99 = cos_q_P1
+        * (ratio_q_P2_u_P1_2_of_u_p1_18 + ratio_q_P2_u_P1_2_of_u_p1_84);
+    let ratio_q_P2_u_P1_2_of_place_5 = ratio_q_P2_u_P1_of_q_p3_q_p5_7 * sin_q_P4;
+    let ratio_q_P2_u_P1_2_of_u_p1_100 = ratio_q_P2_u_P1_of_q_p3_q_p5_7 * sin_q_p1_u_p1_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_u_p1_101 = u_p1_sin_q_p1
+        .mul_add(cos_q_P2, sin_q_p2_ratio_q_p2_u_p1 * u_p1_cos_q_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_102 = sin_q_P1
+        * (ratio_q_P2_u_P1_of_place_70 * cos_q_p2_w_rod2_frame_3
+            - cos_q_p2_cos_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_50
+            + sin_q_P2
+                * (sin_q_P1
+                    * (cos_q_P2
+                        * (ratio_q_P2_u_P1_of_q_p3_q_p5_5 * ratio_q_P2_u_P1_2_of_u_p1_3
+                            - ratio_q_P2_u_P1_of_q_p3 * ratio_q_P2_u_P1_2_of_u_p1
+                            + sin_q_P4 * (ratio_q_P2_u_P1_2_of_u_p1 + ratio_q_P2_u_P1_2_of_u_p1_27)
+                            + ratio_q_P2_u_P1_2_of_u_p1_59)
+                        - ratio_q_P2_u_P1_of_q_p3_q_p5_6 * ratio_q_P2_u_P1_2_of_u_p1_23
+                        - ratio_q_P2_u_P1_of_place_67 * sin_q_p2_w_rod2_frame_3
+                        + sin_q_p2_cos_q_p4 * ratio_q_P2_u_P1_2_of_u_p1_98)
+                    + ratio_q_P2_u_P1_of_place_68 * u_p1_cos_q_p1
+                    - ratio_q_P2_u_P1_2_of_u_p1_99 * cos_q_P4
+                    - ratio_q_P2_u_P1_2_of_u_p1_42 * ratio_q_P2_u_P1_2_of_place_5
+                    + ratio_q_P2_u_P1_2_of_u_p1_100)
+            + ratio_q_P2_u_P1_of_place_6 * ratio_q_P2_u_P1_2_of_u_p1_101)
+        + ratio_q_P2_u_P1_of_place_71 * u_p1_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_103 = l_sq * ratio_q_P2_u_P1_2_of_u_p1_76;
+    let ratio_q_P2_u_P1_2_of_u_p1_104 = ratio_q_P2_u_P1_of_place_72 * ratio_q_P2_u_P1_2_of_u_p1_51
+        - ratio_q_P2_u_P1_of_place_66 * ratio_q_P2_u_P1_2_of_u_p1_83
+        + ratio_q_P2_u_P1_2_of_u_p1_65 * ratio_q_P2_u_P1_2_of_place_3
+        + ratio_q_P2_u_P1_of_place_65
+            * (-u_p1_cos_q_p1
+                * (ratio_q_P2_u_P1_of_place_62 * sin_q_p3_sin_q_p1)
+                    .mul_add(S::int(2), ratio_q_P2_u_P1_of_place_61)
+                + ratio_q_P2_u_P1_of_place_63 * ratio_q_P2_u_P1_2_of_u_p1_53
+                - sin_q_P1
+                    * (ratio_q_P2_u_P1_of_q_p4_q_p5_4
+                        * (-ratio_q_P2_u_P1_2_of_u_p1_32)
+                            .mul_add(
+                                cos_q_P1,
+                                cos_q_p2_sin_q_p1 * u_p1_cos_q_p4 * sin_q_P3,
+                            ) + ratio_q_P2_u_P1_of_place_60 * cos_q_p2_w_rod2_frame_3
+                        + sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_95
+                        + sin_q_P2
+                            * (sin_q_p3_cos_q_p1
+                                * ratio_q_P2_u_P1_2_of_u_p1_93
+                                    .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1_92)
+                                - ratio_q_P2_u_P1_of_place_59 * ratio_q_P2_u_P1_2_of_u_p1_19
+                                - ratio_q_P2_u_P1_of_place_52 * sin_q_p3_u_p1_sin_q_p1
+                                + cos_q_P3
+                                    * (ratio_q_P2_u_P1_of_place_55 * u_p1_cos_q_p1
+                                        + ratio_q_P2_u_P1_of_place_58 * u_p1_sin_q_p1
+                                        + sin_q_P1
+                                            * (ratio_q_P2_u_P1_of_place_53 * cos_q_p2_w_rod2_frame_3
+                                                - ratio_q_P2_u_P1_of_q_p4_q_p5_4
+                                                    * ratio_q_P2_u_P1_2_of_u_p1_29
+                                                + sin_q_P2
+                                                    * (ratio_q_P2_u_P1_of_q_p4
+                                                        .mul_add(
+                                                            ratio_q_P2_u_P1_2_of_u_p1_27,
+                                                            ratio_q_P2_u_P1_2_of_u_p1_60,
+                                                        ) + ratio_q_P2_u_P1_2_of_u_p1_92
+                                                        + ratio_q_P2_u_P1_2_of_u_p1_93)
+                                                + ratio_q_P2_u_P1_2_of_u_p1_95)
+                                        - cos_q_P1
+                                            * ratio_q_P2_u_P1_2_of_u_p1_96
+                                                .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1_97))))
+                + sin_q_p3_cos_q_p1 * cos_q_P1
+                    * (ratio_q_P2_u_P1_2_of_u_p1_96 + ratio_q_P2_u_P1_2_of_u_p1_97))
+        + ratio_q_P2_u_P1_2_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_102
+        - ratio_q_P2_u_P1_of_place_64 * ratio_q_P2_u_P1_2_of_u_p1_103;
+    let ratio_q_P2_u_P1_2_of_u_p1_105 = ratio_q_P2_u_P1_of_place_50
+        * (-ratio_q_P2_u_P1_2_of_place).mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1_64)
+        - ratio_q_P2_u_P1_of_place_72 * ratio_q_P2_u_P1_2_of_u_p1_47
+        + ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_of_place_49 * cos_q_p2_u_p1_cos_q_p1
+        + ratio_q_P2_u_P1_of_place_65
+            * (ratio_q_P2_u_P1_of_place_78 * u_p1_cos_q_p1
+                - ratio_q_P2_u_P1_of_place_10 * ratio_q_P2_u_P1_2_of_u_p1_99
+                + ratio_q_P2_u_P1_of_place_69 * ratio_q_P2_u_P1_2_of_u_p1_43
+                + S::int(2) * cos_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_100
+                - sin_q_P1
+                    * (ratio_q_P2_u_P1_of_place_69 * ratio_q_P2_u_P1_2_of_u_p1_38
+                        - ratio_q_P2_u_P1_of_place_77 * cos_q_p2_w_rod2_frame_3
+                        + sin_q_P2
+                            * (cos_q_p3_cos_q_p5
+                                * (cos_q_p2_sin_q_p1
+                                    .mul_add(
+                                        ratio_q_P2_u_P1_2_of_u_p1_3, -ratio_q_P2_u_P1_2_of_u_p1_44,
+                                    ) + ratio_q_P2_u_P1_2_of_u_p1_78 * sin_q_P4)
+                                - ratio_q_P2_u_P1_of_place_75 * ratio_q_P2_u_P1_2_of_u_p1_16
+                                - ratio_q_P2_u_P1_of_place_76 * ratio_q_P2_u_P1_2_of_u_p1_27
+                                + sin_q_P3
+                                    * (ratio_q_P2_u_P1_2_of_u_p1_87
+                                        - ratio_q_P2_u_P1_of_place_74 * ratio_q_P2_u_P1_2_of_u_p1_22
+                                        + cos_q_P4
+                                            * (ratio_q_P2_u_P1_of_q_p3_q_p5_8 * u_p1_sin_q_p1
+                                                - ratio_q_P2_u_P1_of_q_p3_q_p5_6
+                                                    * ratio_q_P2_u_P1_2_of_u_p1_52
+                                                - cos_q_P1
+                                                    * ratio_q_P2_u_P1_2_of_u_p1_84
+                                                        .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1_18)
+                                                + sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_98)))
+                        - cos_q_p2_sin_q_p4 * ratio_q_P2_u_P1_2_of_u_p1_99
+                        + ratio_q_P2_u_P1_2_of_place_5 * ratio_q_P2_u_P1_2_of_u_p1_101))
+        + l_sq
+            * ratio_q_P2_u_P1_of_place
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_u_p1_102,
+                    ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_2_of_u_p1_88,
+                ) + ratio_q_P2_u_P1_of_place_79 * ratio_q_P2_u_P1_2_of_u_p1_103;
+    let ratio_q_P2_u_P1_2_of_u_p1_106 = l
+        * ratio_q_P2_u_P1_2_of_u_p1_82
+            .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_41 * u_p1_sin_q_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_107 = ratio_q_P2_u_P1_of_place_100
+        * ((-ratio_q_P2_u_P1_of_place_51)
+            .mul_add(
+                ratio_q_P2_u_P1_2_of_u_p1_70,
+                l_sq * ratio_q_P2_u_P1_of_place_82 * ratio_q_P2_u_P1_2_of_u_p1_37,
+            ) + ratio_q_P2_u_P1_of_place_73 * ratio_q_P2_u_P1_2_of_u_p1_73
+            - ratio_q_P2_u_P1_of_place_80 * ratio_q_P2_u_P1_2_of_u_p1_75
+            + ratio_q_P2_u_P1_of_place_18 * ratio_q_P2_u_P1_2_of_u_p1_89
+            + ratio_q_P2_u_P1_of_place_25 * ratio_q_P2_u_P1_2_of_u_p1_104
+            - ratio_q_P2_u_P1_of_place_30 * ratio_q_P2_u_P1_2_of_u_p1_105
+            + ratio_q_P2_u_P1_of_place_99 * ratio_q_P2_u_P1_2_of_u_p1_106);
+    let ratio_q_P2_u_P1_2_of_u_p1_108 = ratio_q_P2_u_P1_of_place_103 * ratio_q_P2_u_P1_2_of_u_p1
+        + ratio_q_P2_u_P1_of_place_104 * ratio_q_P2_u_P1_2_of_u_p1_15
+        + cos_q_P5
+            * (-sin_q_P1
+                * ratio_q_P2_u_P1_2_of_u_p1_19
+                    .mul_add(sin_q_P4, ratio_q_P2_u_P1_2_of_u_p1_3 * cos_q_P3)
+                + cos_q_p3_sin_q_p4 * u_p1_cos_q_p1 - ratio_q_P2_u_P1_of_place_3 * u_p1_sin_q_p1
+                + ratio_q_P2_u_P1_2_of_u_p1_54 * cos_q_P1)
+        + sin_q_P5
+            * ((-ratio_q_P2_u_P1_2_of_u_p1_16)
+                .mul_add(sin_q_P1, ratio_q_P2_u_P1 * cos_q_p2_u_p1_cos_q_p1 * cos_q_P3)
+                - u_p1_cos_q_p1 * sin_q_P3 - ratio_q_P2_u_P1_2_of_u_p1_55 * sin_q_P2);
+    let ratio_q_P2_u_P1_2_of_u_p1_109 = ratio_q_P2_u_P1_of_place_106
+        * ratio_q_P2_u_P1_of_place_105
+            .mul_add(ratio_q_P2_u_P1_2_of_u_p1_107, -ratio_q_P2_u_P1_2_of_u_p1_108);
+    let ratio_q_P2_u_P1_2_of_u_p1_110 = ratio_q_P2_u_P1_2_of_u_p1_109
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_107 * ratio_q_P2_u_P1_2_of_u_p1_15);
+    let ratio_q_P2_u_P1_2_of_u_p1_111 = ratio_q_P2_u_P1_of_place_34
+        .mul_add(u_p1_sin_q_p1, ratio_q_P2_u_P1_of_place_16 * u_p1_cos_q_p1)
+        + ratio_q_P2_u_P1_2_of_u_p1_63 * sin_q_P1 - ratio_q_P2_u_P1_2_of_u_p1_76 * cos_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_112 = ratio_q_P2_u_P1_of_place_101
+        * ratio_q_P2_u_P1_of_place_35
+            .mul_add(ratio_q_P2_u_P1_2_of_u_p1_107, -ratio_q_P2_u_P1_2_of_u_p1_111);
+    let ratio_q_P2_u_P1_2_of_u_p1_113 = ratio_q_P2_u_P1_of_place_34
+        .mul_add(u_p1_cos_q_p1, -ratio_q_P2_u_P1_2_of_u_p1_69)
+        + ratio_q_P2_u_P1_2_of_u_p1_76 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_114 = ratio_q_P2_u_P1_of_place_109
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_107, ratio_q_P2_u_P1_2_of_u_p1_113);
+    let ratio_q_P2_u_P1_2 = ratio_q_P2_u_P1_of_place_102
+        * ((-ratio_q_P2_u_P1_of_place_18)
+            .mul_add(
+                ratio_q_P2_u_P1_2_of_u_p1_57,
+                ratio_q_P2_u_P1_of_place_25 * ratio_q_P2_u_P1_2_of_u_p1_66,
+            ) + ratio_q_P2_u_P1_of_place_30 * ratio_q_P2_u_P1_2_of_u_p1_67
+            - ratio_q_P2_u_P1_of_place_13 * ratio_q_P2_u_P1_2_of_u_p1_70
+            + ratio_q_P2_u_P1_of_place_22 * ratio_q_P2_u_P1_2_of_u_p1_73
+            - ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_2_of_u_p1_75)
+        - ratio_q_P2_u_P1_of_place_106 * ratio_q_P2_u_P1_of_place_109 * ratio_q_P2_u_P1_2_of_u_p1_37
+        - ratio_q_P2_u_P1_of_place_108 * ratio_q_P2_u_P1_2_of_u_p1_94
+        + ratio_q_P2_u_P1_of_q_p4_q_p5_16 * ratio_q_P2_u_P1_2_of_u_p1_110
+        + ratio_q_P2_u_P1_of_place_31 * ratio_q_P2_u_P1_2_of_u_p1_112
+        + ratio_q_P2_u_P1_of_place_110 * ratio_q_P2_u_P1_2_of_u_p1_114;
     let w_rod2_frame_12 = w_rod1_frame_in_rod2_frame_1 * w_rod1_frame_in_rod2_frame_2;
     let a_rod1_frame_in_rod2_frame_1 = (-g)
         .mul_add(sin_q_P2, a_rod1_centre_1 * cos_q_P2);
-    let alpha_rod2_frame_3 = u_P4 * ratio_q_P2_u_P4_2;
+    let alpha_rod2_frame_3 = u_P1 * ratio_q_P2_u_P1_2;
     let turn_rod2_frame_12 = w_rod2_frame_12 - alpha_rod2_frame_3;
     let l_turn_rod2_frame_12 = l * turn_rod2_frame_12;
     let a_rod2_centre_1 = a_rod1_frame_in_rod2_frame_1
@@ -1742,12 +1790,11 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 30] 
         .mul_add(S::int(2), l_turn_rod2_frame_22);
     let x_rod2_frame_2 = m * a_rod2_centre_2;
     let w_rod2_frame_23 = w_rod1_frame_in_rod2_frame_2 * w_rod2_frame_3;
-    let alpha_rod1_frame_in_rod2_frame_1 = alpha_rod1_frame_2 * sin_q_P2;
-    let alpha_rod2_frame_1 = w_rod2_frame_23 + alpha_rod1_frame_in_rod2_frame_1;
+    let alpha_rod2_frame_1 = w_rod2_frame_23;
     let turn_rod2_frame_32 = w_rod2_frame_23 + alpha_rod2_frame_1;
-    let l_turn_rod2_frame_32 = l * turn_rod2_frame_32;
-    let a_rod2_centre_3 = a_rod1_centre_3.mul_add(S::int(2), -l_turn_rod2_frame_32);
+    let a_rod2_centre_3 = l * turn_rod2_frame_32;
     let x_rod2_frame_3 = m * a_rod2_centre_3;
+    let m_l_sq = m * l_sq;
     let H_rod2_3 = w_rod2_frame_3 * m_l_sq;
     let x_rod2_frame_1_2 = alpha_rod2_frame_1
         .mul_add(m_l_sq, w_rod1_frame_in_rod2_frame_2 * H_rod2_3);
@@ -1756,97 +1803,59 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 30] 
         .mul_add(H_rod2_3, w_rod2_frame_3 * H_rod2_1);
     let x_rod2_frame_3_2 = (-alpha_rod2_frame_3)
         .mul_add(m_l_sq, w_rod1_frame_in_rod2_frame_2 * H_rod2_1);
-    let w_rod3_frame_1 = w_rod1_frame_in_rod2_frame_1 + u_p4_ratio_q_p3_u_p4;
-    let w_rod2_frame_in_rod3_frame_3 = w_rod2_frame_3
+    let w_rod3_frame_1 = w_rod1_frame_in_rod2_frame_1 + u_p1_ratio_q_p3_u_p1;
+    let w_rod2_frame_in_rod3_frame_3 = (-w_rod2_frame_3)
         .mul_add(cos_q_P3, w_rod1_frame_in_rod2_frame_2 * sin_q_P3);
     let w_rod3_frame_13 = w_rod3_frame_1 * w_rod2_frame_in_rod3_frame_3;
-    let alpha_rod1_frame_in_rod2_frame_2 = alpha_rod1_frame_2 * cos_q_P2;
-    let alpha_rod2_frame_2 = w_rod1_frame_in_rod2_frame_1
-        .mul_add(w_rod2_frame_3, -alpha_rod1_frame_in_rod2_frame_2);
-    let alpha_rod2_frame_in_rod3_frame_2 = alpha_rod2_frame_2
-        .mul_add(cos_q_P3, alpha_rod2_frame_3 * sin_q_P3);
+    let alpha_rod2_frame_2 = w_rod1_frame_in_rod2_frame_1 * w_rod2_frame_3;
+    let alpha_rod2_frame_in_rod3_frame_2 = (-alpha_rod2_frame_3)
+        .mul_add(sin_q_P3, alpha_rod2_frame_2 * cos_q_P3);
     let alpha_rod3_frame_2 = w_rod2_frame_in_rod3_frame_3
-        .mul_add(u_p4_ratio_q_p3_u_p4, -alpha_rod2_frame_in_rod3_frame_2);
+        .mul_add(u_p1_ratio_q_p3_u_p1, alpha_rod2_frame_in_rod3_frame_2);
     let turn_rod3_frame_13 = w_rod3_frame_13 + alpha_rod3_frame_2;
     let a_rod3_centre_1 = a_rod1_frame_in_rod2_frame_1 - l_turn_rod2_frame_12;
     let l_turn_rod3_frame_13 = l * turn_rod3_frame_13;
     let a_rod3_centre_1_2 = a_rod3_centre_1.mul_add(S::int(2), l_turn_rod3_frame_13);
     let x_rod3_frame_1 = m * a_rod3_centre_1_2;
-    let w_rod2_frame_in_rod3_frame_2 = (-w_rod2_frame_3)
+    let w_rod2_frame_in_rod3_frame_2 = w_rod2_frame_3
         .mul_add(sin_q_P3, w_rod1_frame_in_rod2_frame_2 * cos_q_P3);
-    let ratio_q_P3_u_P4_2_of_u_p4 = ratio_q_P1_u_P4_of_place_95
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_5, ratio_q_P1_u_P4_2_of_u_p4_91);
-    let ratio_q_P3_u_P4_2 = ratio_q_P1_u_P4_of_place_90
-        * (ratio_q_P3_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_57
-            - ratio_q_P3_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_42
-            - ratio_q_P2_u_P4_of_place_3
-                * (-ratio_q_P1_u_P4_of_place_13)
-                    .mul_add(
-                        ratio_q_P1_u_P4_2_of_u_p4_59,
-                        ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_55,
-                    ) - ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_u_p4_63
-            - ratio_q_P1_u_P4_2_of_u_p4_73
-                * ratio_q_P1_u_P4_of_place_13
-                    .mul_add(
-                        ratio_q_P1_u_P4_of_place_79,
-                        ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_of_place_74,
-                    ) - ratio_q_P1_u_P4_of_place_83 * ratio_q_P1_u_P4_2_of_u_p4_77)
-        - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_75
-        + ratio_q_P1_u_P4_of_place_82
-            * ((-ratio_q_P1_u_P4_of_place_47)
+    let ratio_q_P3_u_P1_2_of_u_p1 = (-ratio_q_P2_u_P1_of_place_39)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_56,
+            S::int(2) * ratio_q_P2_u_P1_of_place_42 * ratio_q_P2_u_P1_2_of_u_p1_51,
+        ) - ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_2_of_u_p1_76
+        + ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_2_of_u_p1_80;
+    let ratio_q_P3_u_P1_2_of_u_p1_2 = (-ratio_q_P2_u_P1_of_place_39)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_45,
+            ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_u_p1_76,
+        ) - ratio_q_P2_u_P1_of_place_42 * ratio_q_P2_u_P1_2_of_u_p1_47
+        + ratio_q_P2_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_81;
+    let ratio_q_P3_u_P1_2_of_u_p1_3 = ratio_q_P2_u_P1_2_of_u_p1_109
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_107 * ratio_q_P2_u_P1_2_of_u_p1_22);
+    let ratio_q_P3_u_P1_2_of_u_p1_4 = ratio_q_P2_u_P1_of_place_101 * ratio_q_P2_u_P1_2_of_u_p1_114;
+    let ratio_q_P3_u_P1_2 = ratio_q_P3_u_P1_of_place_5
+        * ((-ratio_q_P2_u_P1_of_q_p3_q_p5_4)
+            .mul_add(ratio_q_P2_u_P1_2_of_u_p1_15, ratio_q_P2_u_P1_2_of_u_p1)
+            + ratio_q_P2_u_P1_2_of_u_p1_85 * cos_q_P5 - ratio_q_P2_u_P1_2_of_u_p1_86)
+        + ratio_q_P3_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_89
+        + ratio_q_P3_u_P1_of_place_3 * ratio_q_P2_u_P1_2_of_u_p1_112
+        + ratio_q_P2_u_P1_of_place_102
+            * ((-ratio_q_P2_u_P1_of_place_82)
                 .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_44,
-                    ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_71,
-                ) - ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_u_p4_57
-                + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_u_p4_74
-                + ratio_q_P1_u_P4_2_of_u_p4_59 * ratio_q_P1_u_P4_2_of_place_10
-                - ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_77)
-        + ratio_q_P1_u_P4_of_place_61 * ratio_q_P1_u_P4_2_of_u_p4_84
-        + ratio_q_P3_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_86
-        + ratio_q_P3_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_88
-        + ratio_q_P1_u_P4_of_place_97
-            * (ratio_q_P3_u_P4_of_place_8 * ratio_q_P1_u_P4_2_of_u_p4_5
-                - ratio_q_P3_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_u_p4_21
-                - cos_q_P5
-                    * (ratio_q_P3_u_P4_of_q_p3_q_p5_4 * cos_q_p2_w_rod2_frame_3
-                        - ratio_q_P3_u_P4_of_place_7 * u_p4_cos_q_p4
-                        - S::int(2) * sin_q_p3_sin_q_p5 * ratio_q_P1_u_P4_2_of_u_p4_4
-                        - ratio_q_P1_u_P4_2_of_u_p4_15 * sin_q_P3 + ratio_q_P1_u_P4_2_of_u_p4_54
-                        + sin_q_P4
-                            * (ratio_q_P1_u_P4_2_of_u_p4_2
-                                + ratio_q_P3_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_u_p4_4
-                                - ratio_q_P1_u_P4_2_of_u_p4_10 * sin_q_P2
-                                - ratio_q_P3_u_P4_of_q_p3_q_p5 * cos_q_p2_w_rod2_frame_3
-                                + ratio_q_P1_u_P4_2_of_u_p4_54
-                                + sin_q_P3
-                                    * (-sin_q_P2
-                                        * (ratio_q_P1_u_P4_2_of_u_p4_4
-                                            - ratio_q_P3_u_P4_of_q_p3_q_p5_2 * u_p4_cos_q_p4
-                                            - ratio_q_P1_u_P4_2_of_u_p4_11
-                                            + sin_q_P4
-                                                * (ratio_q_P1_u_P4_2_of_u_p4
-                                                    - ratio_q_P1_u_P4_2_of_u_p4_16))
-                                        + ratio_q_P3_u_P4_of_place_5 * cos_q_p2_w_rod2_frame_3
-                                        - ratio_q_P1_u_P4_2_of_u_p4_40
-                                        - ratio_q_P1_u_P4_2_of_u_p4_54))
-                        + sin_q_P2
-                            * (ratio_q_P3_u_P4_of_q_p3_q_p5_3
-                                .mul_add(
-                                    ratio_q_P1_u_P4_2_of_u_p4_4, -ratio_q_P1_u_P4_2_of_u_p4_89,
-                                ) + ratio_q_P1_u_P4_2_of_u_p4_26 * sin_q_P3))
-                - cos_q_p3_sin_q_p5
-                    * ((-ratio_q_P2_u_P4_of_place_6)
-                        .mul_add(
-                            ratio_q_P1_u_P4_2_of_u_p4_4,
-                            ratio_q_P2_u_P4_2_of_u_p4_4 * sin_q_P3,
-                        ) - cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_54))
-        + ratio_q_P1_u_P4_of_place_93 * ratio_q_P3_u_P4_of_place_10 * ratio_q_P3_u_P4_2_of_u_p4;
+                    ratio_q_P2_u_P1_2_of_u_p1_57,
+                    ratio_q_P3_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_75,
+                ) - ratio_q_P3_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_73
+                - ratio_q_P2_u_P1_of_place_13 * ratio_q_P2_u_P1_2_of_u_p1_106
+                - ratio_q_P2_u_P1_of_place_25 * ratio_q_P3_u_P1_2_of_u_p1
+                + ratio_q_P2_u_P1_of_place_30 * ratio_q_P3_u_P1_2_of_u_p1_2)
+        - ratio_q_P3_u_P1_of_q_p3_q_p5 * ratio_q_P3_u_P1_2_of_u_p1_3
+        + ratio_q_P2_u_P1_of_place_51 * ratio_q_P3_u_P1_2_of_u_p1_4;
     let w_rod3_frame_23 = w_rod2_frame_in_rod3_frame_3 * w_rod2_frame_in_rod3_frame_2;
     let a_rod3_centre_2 = l_turn_rod2_frame_22 - a_rod1_frame_in_rod2_frame_2;
-    let alpha_rod3_frame_1 = u_P4.mul_add(ratio_q_P3_u_P4_2, alpha_rod2_frame_1);
-    let turn_rod3_frame_23 = w_rod3_frame_23 - alpha_rod3_frame_1;
-    let a_rod3_centre_3 = a_rod1_centre_3 - l_turn_rod2_frame_32;
-    let a_rod2_frame_in_rod3_frame_2 = (-a_rod3_centre_3)
+    let alpha_rod3_frame_1 = u_P1.mul_add(ratio_q_P3_u_P1_2, alpha_rod2_frame_1);
+    let turn_rod3_frame_23 = w_rod3_frame_23 + alpha_rod3_frame_1;
+    let a_rod2_frame_in_rod3_frame_2 = (-a_rod2_centre_3)
         .mul_add(sin_q_P3, a_rod3_centre_2 * cos_q_P3);
     let l_turn_rod3_frame_23 = l * turn_rod3_frame_23;
     let a_rod3_centre_2_2 = a_rod2_frame_in_rod3_frame_2
@@ -1855,24 +1864,23 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 30] 
     let w_rod3_frame_11 = w_rod3_frame_1 * w_rod3_frame_1;
     let w_rod3_frame_22 = w_rod2_frame_in_rod3_frame_2 * w_rod2_frame_in_rod3_frame_2;
     let turn_rod3_frame_33 = w_rod3_frame_11 + w_rod3_frame_22;
-    let a_rod2_frame_in_rod3_frame_3 = a_rod3_centre_3
-        .mul_add(cos_q_P3, a_rod3_centre_2 * sin_q_P3);
+    let a_rod2_frame_in_rod3_frame_3 = a_rod3_centre_2
+        .mul_add(sin_q_P3, a_rod2_centre_3 * cos_q_P3);
     let l_turn_rod3_frame_33 = l * turn_rod3_frame_33;
-    let a_rod3_centre_3_2 = (-a_rod2_frame_in_rod3_frame_3)
+    let a_rod3_centre_3 = (-a_rod2_frame_in_rod3_frame_3)
         .mul_add(S::int(2), l_turn_rod3_frame_33);
-    let x_rod3_frame_3 = m * a_rod3_centre_3_2;
+    let x_rod3_frame_3 = m * a_rod3_centre_3;
     let H_rod3_2 = w_rod2_frame_in_rod3_frame_2 * m_l_sq;
-    let x_rod3_frame_1_2 = (-alpha_rod3_frame_1)
+    let x_rod3_frame_1_2 = alpha_rod3_frame_1
         .mul_add(m_l_sq, w_rod2_frame_in_rod3_frame_3 * H_rod3_2);
     let H_rod3_1 = w_rod3_frame_1 * m_l_sq;
-    let x_rod3_frame_2_2_of_place = alpha_rod3_frame_2 * m_l_sq;
-    let x_rod3_frame_2_2 = w_rod2_frame_in_rod3_frame_3
-        .mul_add(H_rod3_1, x_rod3_frame_2_2_of_place);
+    let x_rod3_frame_2_2 = alpha_rod3_frame_2
+        .mul_add(m_l_sq, w_rod2_frame_in_rod3_frame_3 * H_rod3_1);
     let x_rod3_frame_3_2 = (-w_rod2_frame_in_rod3_frame_2)
         .mul_add(H_rod3_1, w_rod3_frame_1 * H_rod3_2);
     let w_rod3_frame_in_rod4_frame_3 = (-w_rod2_frame_in_rod3_frame_3)
         .mul_add(cos_q_P4, w_rod3_frame_1 * sin_q_P4);
-    let w_rod4_frame_2 = u_P4 - w_rod2_frame_in_rod3_frame_2;
+    let w_rod4_frame_2 = u_p1_ratio_q_p4_u_p1 - w_rod2_frame_in_rod3_frame_2;
     let w_rod4_frame_22 = w_rod4_frame_2 * w_rod4_frame_2;
     let w_rod4_frame_33 = w_rod3_frame_in_rod4_frame_3 * w_rod3_frame_in_rod4_frame_3;
     let turn_rod4_frame_11 = w_rod4_frame_22 + w_rod4_frame_33;
@@ -1887,21 +1895,53 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 30] 
     let w_rod3_frame_in_rod4_frame_1 = w_rod2_frame_in_rod3_frame_3
         .mul_add(sin_q_P4, w_rod3_frame_1 * cos_q_P4);
     let w_rod4_frame_12 = w_rod4_frame_2 * w_rod3_frame_in_rod4_frame_1;
-    let alpha_rod2_frame_in_rod3_frame_3 = (-alpha_rod2_frame_3)
-        .mul_add(cos_q_P3, alpha_rod2_frame_2 * sin_q_P3);
+    let alpha_rod2_frame_in_rod3_frame_3 = alpha_rod2_frame_2
+        .mul_add(sin_q_P3, alpha_rod2_frame_3 * cos_q_P3);
     let alpha_rod3_frame_3 = w_rod2_frame_in_rod3_frame_2
-        .mul_add(u_p4_ratio_q_p3_u_p4, alpha_rod2_frame_in_rod3_frame_3);
-    let alpha_rod3_frame_in_rod4_frame_3 = alpha_rod3_frame_3
-        .mul_add(cos_q_P4, alpha_rod3_frame_1 * sin_q_P4);
-    let alpha_rod4_frame_3 = u_P4
-        .mul_add(w_rod3_frame_in_rod4_frame_1, alpha_rod3_frame_in_rod4_frame_3);
+        .mul_add(u_p1_ratio_q_p3_u_p1, -alpha_rod2_frame_in_rod3_frame_3);
+    let alpha_rod3_frame_in_rod4_frame_3 = (-alpha_rod3_frame_1)
+        .mul_add(sin_q_P4, alpha_rod3_frame_3 * cos_q_P4);
+    let alpha_rod4_frame_3 = w_rod3_frame_in_rod4_frame_1
+        .mul_add(u_p1_ratio_q_p4_u_p1, alpha_rod3_frame_in_rod4_frame_3);
     let turn_rod4_frame_21 = w_rod4_frame_12 + alpha_rod4_frame_3;
     let a_rod4_centre_2 = a_rod2_frame_in_rod3_frame_2 + l_turn_rod3_frame_23;
     let l_turn_rod4_frame_21 = l * turn_rod4_frame_21;
     let a_rod4_centre_2_2 = (-a_rod4_centre_2).mul_add(S::int(2), l_turn_rod4_frame_21);
     let x_rod4_frame_2 = m * a_rod4_centre_2_2;
+    let ratio_q_P4_u_P1_2_of_u_p1 = ratio_q_P2_u_P1_of_place_39 * ratio_q_P2_u_P1_2_of_u_p1_62
+        - ratio_q_P2_u_P1_2_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_76
+        + ratio_q_P2_u_P1_of_place_8
+            * (-ratio_q_P2_u_P1_of_place_16)
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_u_p1_78,
+                    cos_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_63,
+                ) + ratio_q_P4_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_79;
+    let ratio_q_P4_u_P1_2_of_u_p1_2 = ratio_q_P2_u_P1_2_of_u_p1_27 - ratio_q_P2_u_P1_2_of_u_p1_16;
+    let ratio_q_P4_u_P1_2 = ratio_q_P4_u_P1_of_place_3 * ratio_q_P2_u_P1_2_of_u_p1_112
+        - ratio_q_P3_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_104
+        - ratio_q_P4_u_P1_of_place_5 * ratio_q_P2_u_P1_2_of_u_p1_110
+        + ratio_q_P2_u_P1_of_place_73 * ratio_q_P3_u_P1_2_of_u_p1_4
+        + ratio_q_P2_u_P1_of_place_102
+            * ((-ratio_q_P2_u_P1_of_place_82)
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_u_p1_66,
+                    ratio_q_P2_u_P1_of_place_30 * ratio_q_P4_u_P1_2_of_u_p1,
+                ) - ratio_q_P3_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_70
+                - ratio_q_P4_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_75
+                - ratio_q_P2_u_P1_of_place_22 * ratio_q_P2_u_P1_2_of_u_p1_106
+                - ratio_q_P2_u_P1_of_place_18 * ratio_q_P3_u_P1_2_of_u_p1)
+        + ratio_q_P2_u_P1_of_place_108
+            * (-ratio_q_P2_u_P1_2_of_u_p1 + ratio_q_P4_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_3
+                - sin_q_P4
+                    * ((-ratio_q_P4_u_P1_of_q_p4_q_p5)
+                        .mul_add(
+                            ratio_q_P2_u_P1_2_of_u_p1_16,
+                            ratio_q_P2_u_P1_2_of_u_p1_94 * sin_q_P3,
+                        ) - ratio_q_P2_u_P1_2_of_u_p1_24 - ratio_q_P2_u_P1_2_of_u_p1_27)
+                + ratio_q_P4_u_P1_2_of_u_p1_2);
     let w_rod4_frame_13 = w_rod3_frame_in_rod4_frame_3 * w_rod3_frame_in_rod4_frame_1;
-    let turn_rod4_frame_31 = alpha_rod3_frame_2 + w_rod4_frame_13;
+    let alpha_rod4_frame_2 = u_P1.mul_add(ratio_q_P4_u_P1_2, alpha_rod3_frame_2);
+    let turn_rod4_frame_31 = w_rod4_frame_13 + alpha_rod4_frame_2;
     let a_rod3_frame_in_rod4_frame_3 = a_rod4_centre_3
         .mul_add(cos_q_P4, a_rod4_centre_1 * sin_q_P4);
     let l_turn_rod4_frame_31 = l * turn_rod4_frame_31;
@@ -1912,74 +1952,39 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 30] 
     let H_rod4_3 = w_rod3_frame_in_rod4_frame_3 * m_l_sq;
     let x_rod4_frame_1_2 = (-w_rod3_frame_in_rod4_frame_3)
         .mul_add(H_rod4_2, w_rod4_frame_2 * H_rod4_3);
-    let x_rod4_frame_2_2 = w_rod3_frame_in_rod4_frame_1
-        .mul_add(H_rod4_3, x_rod3_frame_2_2_of_place);
+    let x_rod4_frame_2_2 = alpha_rod4_frame_2
+        .mul_add(m_l_sq, w_rod3_frame_in_rod4_frame_1 * H_rod4_3);
     let x_rod4_frame_3_2 = alpha_rod4_frame_3
         .mul_add(m_l_sq, w_rod3_frame_in_rod4_frame_1 * H_rod4_2);
     let w_rod4_frame_in_rod5_frame_1 = (-w_rod4_frame_2)
         .mul_add(sin_q_P5, w_rod3_frame_in_rod4_frame_1 * cos_q_P5);
     let w_rod4_frame_in_rod5_frame_2 = w_rod3_frame_in_rod4_frame_1
         .mul_add(sin_q_P5, w_rod4_frame_2 * cos_q_P5);
-    let ratio_q_P5_u_P4_2_of_u_p4 = (-ratio_q_P1_u_P4_of_place_18)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_59,
-            ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_u_p4_55,
-        );
-    let ratio_q_P5_u_P4_2 = ratio_q_P1_u_P4_of_place_90
-        * (ratio_q_P2_u_P4_of_place_3
-            * (-ratio_q_P1_u_P4_of_place_17)
+    let ratio_q_P5_u_P1_2 = ratio_q_P3_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_105
+        + ratio_q_P5_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_112
+        - ratio_q_P5_u_P1_of_place_2 * ratio_q_P3_u_P1_2_of_u_p1_3
+        + ratio_q_P2_u_P1_of_place_80 * ratio_q_P3_u_P1_2_of_u_p1_4
+        + ratio_q_P2_u_P1_of_place_102
+            * ((-ratio_q_P2_u_P1_of_place_82)
                 .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_59,
-                    ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_55,
-                ) + ratio_q_P3_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_9
-            - ratio_q_P3_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_61
-            + ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_u_p4_66
-            + ratio_q_P5_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_73
-            + ratio_q_P1_u_P4_of_place_87 * ratio_q_P1_u_P4_2_of_u_p4_77)
-        + ratio_q_P1_u_P4_of_place_82
-            * ((-ratio_q_P1_u_P4_of_place_46)
-                .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_25,
-                    ratio_q_P1_u_P4_of_place_68 * ratio_q_P5_u_P4_of_place_6
-                        * ratio_q_P1_u_P4_2_of_place_4,
-                ) + ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_2_of_u_p4_58
-                + ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_u_p4_61
-                - ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_71
-                - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_76
-                - ratio_q_P5_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_78)
-        + ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_81
-        + ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_84
-        + ratio_q_P5_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_86
-        - ratio_q_P5_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_88
-        - ratio_q_P5_u_P4_of_place_9 * ratio_q_P3_u_P4_2_of_u_p4
-        + ratio_q_P1_u_P4_of_place_76 * ratio_q_P1_u_P4_of_place_96
-            * (ratio_q_P1_u_P4_of_place_79 * ratio_q_P5_u_P4_of_place_8
-                * ratio_q_P1_u_P4_2_of_u_p4_9
-                - l * ratio_q_P5_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_72
-                + ratio_q_P1_u_P4_of_place_47
-                    * (ratio_q_P1_u_P4_of_place_17
-                        * (-sin_q_p1_l_sq)
-                            .mul_add(
-                                ratio_q_P1_u_P4_2_of_u_p4_41,
-                                ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_place,
-                            ) + ratio_q_P5_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_u_p4_9
-                        + l_sq * ratio_q_P5_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_55
-                        + ratio_q_P1_u_P4_of_place_34
-                            * (ratio_q_P1_u_P4_of_place_62
-                                .mul_add(
-                                    sin_q_p1_w_rod1_frame_2,
-                                    sin_q_p2_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_8,
-                                ) + ratio_q_P1_u_P4_2_of_u_p4_40 * cos_q_P1
-                                - ratio_q_P1_u_P4_2_of_place_5 * sin_q_P1
-                                + ratio_q_P1_u_P4_of_place_16 * ratio_q_P1_u_P4_2_of_place_7))
-                + ratio_q_P5_u_P4_of_place_7 * ratio_q_P1_u_P4_2_of_u_p4_77
-                - l_sq * ratio_q_P1_u_P4_of_place_53
-                    * ratio_q_P1_u_P4_of_place_60
+                    ratio_q_P2_u_P1_2_of_u_p1_67,
+                    ratio_q_P2_u_P1_of_place_18 * ratio_q_P3_u_P1_2_of_u_p1_2,
+                ) - ratio_q_P3_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_70
+                - ratio_q_P4_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_73
+                - ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_2_of_u_p1_106
+                - ratio_q_P2_u_P1_of_place_25 * ratio_q_P4_u_P1_2_of_u_p1)
+        + ratio_q_P3_u_P1_of_place_5
+            * (ratio_q_P5_u_P1_of_q_p3_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_3
+                - ratio_q_P5_u_P1_of_q_p3_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1
+                + sin_q_P4
+                    * ((-(ratio_q_P2_u_P1_2_of_u_p1_2 * sin_q_P3))
                         .mul_add(
-                            ratio_q_P1_u_P4_2_of_u_p4_61, -ratio_q_P5_u_P4_2_of_u_p4,
-                        ));
+                            S::int(2),
+                            ratio_q_P2_u_P1_of_q_p5_4 * ratio_q_P2_u_P1_2_of_u_p1_16,
+                        ) + ratio_q_P2_u_P1_2_of_u_p1_33)
+                + ratio_q_P2_u_P1_of_q_p5 * ratio_q_P4_u_P1_2_of_u_p1_2);
     let w_rod5_frame_12 = w_rod4_frame_in_rod5_frame_1 * w_rod4_frame_in_rod5_frame_2;
-    let alpha_rod5_frame_3 = u_P4.mul_add(ratio_q_P5_u_P4_2, alpha_rod4_frame_3);
+    let alpha_rod5_frame_3 = u_P1.mul_add(ratio_q_P5_u_P1_2, alpha_rod4_frame_3);
     let turn_rod5_frame_12 = w_rod5_frame_12 - alpha_rod5_frame_3;
     let a_rod5_centre_1 = a_rod3_frame_in_rod4_frame_1 + l_turn_rod4_frame_11;
     let a_rod5_centre_2 = l_turn_rod4_frame_21 - a_rod4_centre_2;
@@ -1988,7 +1993,7 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 30] 
     let a_rod5_centre_1_2 = a_rod4_frame_in_rod5_frame_1
         .mul_add(S::int(2), l * turn_rod5_frame_12);
     let x_rod5_frame_1 = m * a_rod5_centre_1_2;
-    let w_rod5_frame_3 = w_rod3_frame_in_rod4_frame_3 + u_p4_ratio_q_p5_u_p4;
+    let w_rod5_frame_3 = u_p1_ratio_q_p5_u_p1 - w_rod3_frame_in_rod4_frame_3;
     let w_rod5_frame_11 = w_rod4_frame_in_rod5_frame_1 * w_rod4_frame_in_rod5_frame_1;
     let w_rod5_frame_33 = w_rod5_frame_3 * w_rod5_frame_3;
     let turn_rod5_frame_22 = w_rod5_frame_11 + w_rod5_frame_33;
@@ -1998,18 +2003,17 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 30] 
         .mul_add(S::int(2), l * turn_rod5_frame_22);
     let x_rod5_frame_2 = m * a_rod5_centre_2_2;
     let w_rod5_frame_23 = w_rod4_frame_in_rod5_frame_2 * w_rod5_frame_3;
-    let alpha_rod3_frame_in_rod4_frame_1 = (-alpha_rod3_frame_1)
-        .mul_add(cos_q_P4, alpha_rod3_frame_3 * sin_q_P4);
-    let alpha_rod4_frame_1 = u_P4
-        .mul_add(w_rod3_frame_in_rod4_frame_3, alpha_rod3_frame_in_rod4_frame_1);
-    let alpha_rod4_frame_in_rod5_frame_1 = (-alpha_rod3_frame_2)
+    let alpha_rod3_frame_in_rod4_frame_1 = alpha_rod3_frame_3
+        .mul_add(sin_q_P4, alpha_rod3_frame_1 * cos_q_P4);
+    let alpha_rod4_frame_1 = w_rod3_frame_in_rod4_frame_3
+        .mul_add(u_p1_ratio_q_p4_u_p1, alpha_rod3_frame_in_rod4_frame_1);
+    let alpha_rod4_frame_in_rod5_frame_1 = (-alpha_rod4_frame_2)
         .mul_add(sin_q_P5, alpha_rod4_frame_1 * cos_q_P5);
     let alpha_rod5_frame_1 = w_rod4_frame_in_rod5_frame_2
-        .mul_add(u_p4_ratio_q_p5_u_p4, -alpha_rod4_frame_in_rod5_frame_1);
+        .mul_add(u_p1_ratio_q_p5_u_p1, alpha_rod4_frame_in_rod5_frame_1);
     let turn_rod5_frame_32 = w_rod5_frame_23 + alpha_rod5_frame_1;
     let a_rod5_centre_3 = a_rod3_frame_in_rod4_frame_3 + l_turn_rod4_frame_31;
-    let a_rod5_centre_3_2 = (-a_rod5_centre_3)
-        .mul_add(S::int(2), l * turn_rod5_frame_32);
+    let a_rod5_centre_3_2 = a_rod5_centre_3.mul_add(S::int(2), l * turn_rod5_frame_32);
     let x_rod5_frame_3 = m * a_rod5_centre_3_2;
     let H_rod5_3 = w_rod5_frame_3 * m_l_sq;
     let x_rod5_frame_1_2 = alpha_rod5_frame_1
@@ -2022,13 +2026,11 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 30] 
     // Values.
     let f_1 = S::ratio(1, 2) * x_rod1_frame_1;
     let f_2 = -x_rod1_frame_2;
-    let f_3 = -S::ratio(1, 2) * x_rod1_frame_3;
-    let f_5 = S::ratio(1, 12) * x_rod1_frame_2_2;
     let f_7 = S::ratio(1, 2) * x_rod2_frame_1;
     let f_8 = S::ratio(1, 2) * x_rod2_frame_2;
     let f_9 = -S::ratio(1, 2) * x_rod2_frame_3;
-    let f_10 = S::ratio(1, 12) * x_rod2_frame_1_2;
-    let f_11 = S::ratio(1, 12) * x_rod2_frame_2_2;
+    let f_10 = -S::ratio(1, 12) * x_rod2_frame_1_2;
+    let f_11 = -S::ratio(1, 12) * x_rod2_frame_2_2;
     let f_12 = S::ratio(1, 12) * x_rod2_frame_3_2;
     let f_13 = S::ratio(1, 2) * x_rod3_frame_1;
     let f_14 = S::ratio(1, 2) * x_rod3_frame_2;
@@ -2044,874 +2046,938 @@ pub fn forcing<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 30] 
     let f_24 = S::ratio(1, 12) * x_rod4_frame_3_2;
     let f_25 = -S::ratio(1, 2) * x_rod5_frame_1;
     let f_26 = -S::ratio(1, 2) * x_rod5_frame_2;
-    let f_27 = -S::ratio(1, 2) * x_rod5_frame_3;
-    let f_28 = S::ratio(1, 12) * x_rod5_frame_1_2;
-    let f_29 = -S::ratio(1, 12) * x_rod5_frame_2_2;
+    let f_27 = S::ratio(1, 2) * x_rod5_frame_3;
+    let f_28 = -S::ratio(1, 12) * x_rod5_frame_1_2;
+    let f_29 = S::ratio(1, 12) * x_rod5_frame_2_2;
     let f_30 = -S::ratio(1, 12) * x_rod5_frame_3_2;
     let zero = S::int(0);
     [
-        f_1, f_2, f_3, zero, f_5, zero, f_7, f_8, f_9, f_10, f_11, f_12, f_13, f_14, f_15, f_16,
+        f_1, f_2, zero, zero, zero, zero, f_7, f_8, f_9, f_10, f_11, f_12, f_13, f_14, f_15, f_16,
         f_17, f_18, f_19, f_20, f_21, f_22, f_23, f_24, f_25, f_26, f_27, f_28, f_29, f_30,
     ]
 }
 
-/// The accelerations (u_P4'), solved for when this code was generated.
+/// The accelerations (u_P1'), solved for when this code was generated.
 ///
-/// 1600 operations, 5 sines and cosines.
+/// 1610 operations, 5 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S; 1] {
     let Parameters { l, m, g } = *p;
     let [q_P1, q_P2, q_P3, q_P4, q_P5] = *q;
-    let [u_P4] = *u;
+    let [u_P1] = *u;
     // Sines and cosines.
-    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
     let (sin_q_P5, cos_q_P5) = q_P5.sin_cos();
     let (sin_q_P4, cos_q_P4) = q_P4.sin_cos();
     let (sin_q_P2, cos_q_P2) = q_P2.sin_cos();
+    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
     let (sin_q_P1, cos_q_P1) = q_P1.sin_cos();
     // Step by step, each after the terms that it needs.
-    let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5 = S::int(1) - cos_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_of_q_p5 = S::int(1) - sin_q_P5;
-    let ratio_q_P1_u_P4_of_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P4;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_2 = ratio_q_P1_u_P4_of_q_p4_q_p5 - S::int(1);
-    let ratio_q_P1_u_P4_of_place = ratio_q_P1_u_P4_of_q_p4_q_p5_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_2 = ratio_q_P1_u_P4_of_q_p3_q_p5 + ratio_q_P1_u_P4_of_place;
-    let ratio_q_P1_u_P4_of_place_3 = -ratio_q_P1_u_P4_of_place_2;
-    let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(sin_q_p2_cos_q_p4, ratio_q_P1_u_P4_of_place_3 * cos_q_P2);
-    let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
-    let cos_q_p3_sin_q_p1 = sin_q_P1 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_5 = cos_q_p3_sin_q_p1
-        .mul_add(sin_q_P2, sin_q_p3_cos_q_p1);
+    let w_rod1_frame_22 = u_P1 * u_P1;
+    let a_rod1_centre_1 = l * w_rod1_frame_22;
+    let ratio_q_P2_u_P1_of_q_p5 = S::int(1) - sin_q_P5;
+    let ratio_q_P2_u_P1_of_q_p5_2 = -ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5 = ratio_q_P2_u_P1_of_q_p5_2 * sin_q_P4;
     let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5 = ratio_q_P2_u_P1_of_q_p5_2 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place = (-ratio_q_P2_u_P1_of_q_p4_q_p5)
+        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p3_q_p5);
+    let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
+    let sin_q_p2_sin_q_p1 = sin_q_P1 * sin_q_P2;
+    let ratio_q_P2_u_P1_of_place_2 = sin_q_p2_sin_q_p1
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1);
     let sin_q_p2_sin_q_p3 = sin_q_P2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_6 = sin_q_p2_sin_q_p3
+    let ratio_q_P2_u_P1_of_place_3 = sin_q_p2_sin_q_p3
         .mul_add(sin_q_P4, -cos_q_p2_cos_q_p4);
     let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_7 = (-ratio_q_P1_u_P4_of_place_6)
+    let ratio_q_P2_u_P1_of_place_4 = (-ratio_q_P2_u_P1_of_place_3)
         .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4);
-    let ratio_q_P1_u_P4_of_place_8 = ratio_q_P1_u_P4_of_place_7
-        .mul_add(sin_q_P5, ratio_q_P1_u_P4_of_place_5 * cos_q_P5);
-    let l_sin_q_p1 = l * sin_q_P1;
-    let sin_q_p3_sin_q_p5 = sin_q_P3 * sin_q_P5;
-    let ratio_q_P1_u_P4_of_place_9 = cos_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, -sin_q_p3_sin_q_p5);
+    let ratio_q_P2_u_P1_of_place_5 = l
+        * ratio_q_P2_u_P1_of_place_4
+            .mul_add(sin_q_P5, ratio_q_P2_u_P1_of_place_2 * cos_q_P5);
     let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
-    let cos_q_p3_sin_q_p5 = cos_q_P3 * sin_q_P5;
-    let ratio_q_P1_u_P4_of_place_10 = sin_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, cos_q_p3_sin_q_p5);
-    let ratio_q_P1_u_P4_of_place_11 = (-ratio_q_P1_u_P4_of_place_10)
-        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
-    let ratio_q_P1_u_P4_of_place_12 = ratio_q_P1_u_P4_of_place_11
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_9 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_13 = ratio_q_P1_u_P4_of_place_10
-        .mul_add(cos_q_P2, sin_q_p2_cos_q_p4 * cos_q_P5);
-    let ratio_q_P1_u_P4_of_place_14 = l_sin_q_p1 * ratio_q_P1_u_P4_of_place_13;
-    let ratio_q_P1_u_P4_of_place_15 = (-ratio_q_P1_u_P4_of_place_12)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_14,
-            ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_of_place_8 * l_sin_q_p1,
-        );
-    let ratio_q_P1_u_P4_of_place_16 = ratio_q_P1_u_P4_of_q_p4_q_p5_2
-        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
-    let ratio_q_P1_u_P4_of_place_17 = ratio_q_P1_u_P4_of_place_16 * cos_q_P2;
-    let ratio_q_P1_u_P4_of_place_18 = l * ratio_q_P1_u_P4_of_place_17;
-    let ratio_q_P1_u_P4_of_q_p4 = S::int(1) + sin_q_P4;
-    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_q_p4_2 = ratio_q_P1_u_P4_of_q_p4 - cos_q_p4_sq;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_3 = ratio_q_P1_u_P4_of_q_p4_2
-        .mul_add(sin_q_P5, cos_q_p4_sq);
-    let ratio_q_P1_u_P4_of_place_19 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_20 = (-cos_q_p3_cos_q_p5)
-        .mul_add(ratio_q_P1_u_P4_of_q_p4, ratio_q_P1_u_P4_of_place_19);
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_4 = sin_q_P5 + ratio_q_P1_u_P4_of_q_p4_q_p5;
-    let ratio_q_P1_u_P4_of_place_21 = cos_q_p2_cos_q_p4 * ratio_q_P1_u_P4_of_q_p4_q_p5_4;
-    let ratio_q_P1_u_P4_of_place_22 = ratio_q_P1_u_P4_of_place_20
-        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_place_21);
-    let ratio_q_P1_u_P4_of_place_23 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_24 = sin_q_p3_cos_q_p5 * ratio_q_P1_u_P4_of_q_p4;
-    let ratio_q_P1_u_P4_of_place_25 = ratio_q_P1_u_P4_of_place_24
-        .mul_add(S::int(2), ratio_q_P1_u_P4_of_place_23);
-    let ratio_q_P1_u_P4_of_place_26 = (-ratio_q_P1_u_P4_of_place_25)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_22 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_27 = ratio_q_P1_u_P4_of_place_26
-        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_of_place_19);
-    let ratio_q_P1_u_P4_of_place_28 = (-sin_q_p3_cos_q_p1)
-        .mul_add(ratio_q_P1_u_P4_of_place_21, ratio_q_P1_u_P4_of_place_27 * sin_q_P2);
-    let ratio_q_P1_u_P4_of_place_29 = ratio_q_P1_u_P4_of_place_23 + ratio_q_P1_u_P4_of_place_24;
-    let ratio_q_P1_u_P4_of_place_30 = ratio_q_P1_u_P4_of_place_29 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_31 = (-sin_q_p3_cos_q_p1)
-        .mul_add(ratio_q_P1_u_P4_of_place_30, ratio_q_P1_u_P4_of_place_28 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_32 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_p2_cos_q_p4;
-    let ratio_q_P1_u_P4_of_place_33 = ratio_q_P1_u_P4_of_place_3
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32);
-    let l_sq = l * l;
-    let ratio_q_P1_u_P4_of_place_34 = ratio_q_P1_u_P4_of_place_33 * l_sq;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_2 = sin_q_P5 - ratio_q_P1_u_P4_of_q_p3_q_p5;
-    let ratio_q_P1_u_P4_of_q_p3 = sin_q_P3 - S::int(1);
-    let ratio_q_P1_u_P4_of_place_35 = (-ratio_q_P1_u_P4_of_q_p3)
-        .mul_add(sin_q_P5, ratio_q_P1_u_P4_of_q_p3_q_p5_2 * sin_q_P4);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_3 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_4 = cos_q_p3_cos_q_p5 + ratio_q_P1_u_P4_of_q_p3_q_p5_3;
-    let ratio_q_P1_u_P4_of_place_36 = sin_q_p2_cos_q_p4
-        .mul_add(ratio_q_P1_u_P4_of_q_p3_q_p5_4, ratio_q_P1_u_P4_of_place_35 * cos_q_P2);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_5 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_6 = sin_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_5;
-    let cos_q_p4_cos_q_p1 = cos_q_P1 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_37 = ratio_q_P1_u_P4_of_q_p3_q_p5_6
-        .mul_add(cos_q_p4_cos_q_p1, ratio_q_P1_u_P4_of_place_36 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_38 = ratio_q_P1_u_P4_of_place_10 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_39 = ratio_q_P1_u_P4_of_place_38
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_37 * sin_q_P2);
-    let sin_q_p1_l_sq = l_sq * sin_q_P1;
-    let ratio_q_P1_u_P4_of_place_40 = ratio_q_P1_u_P4_of_place_39 * sin_q_p1_l_sq;
-    let ratio_q_P1_u_P4_of_place_41 = ratio_q_P1_u_P4_of_place_31
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_34,
-            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_18,
-        ) + ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_40;
-    let ratio_q_P1_u_P4_of_place_42 = sin_q_p2_cos_q_p4
-        .mul_add(
-            ratio_q_P1_u_P4_of_q_p3_q_p5_3,
-            ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_P2,
-        );
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_5 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_43 = cos_q_p3_sin_q_p1
-        .mul_add(ratio_q_P1_u_P4_of_q_p4_q_p5_5, ratio_q_P1_u_P4_of_place_42 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_44 = S::int(1) + ratio_q_P1_u_P4_of_place_33;
-    let ratio_q_P1_u_P4_of_place_45 = ratio_q_P1_u_P4_of_place_16 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_46 = ratio_q_P1_u_P4_of_place_44
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_45);
-    let ratio_q_P1_u_P4_of_place_47 = l * ratio_q_P1_u_P4_of_place_46;
-    let ratio_q_P1_u_P4_of_q_p2 = S::int(1) - sin_q_P2;
-    let ratio_q_P1_u_P4_of_q_p2_q_p3 = sin_q_P3 - ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_place_48 = (-ratio_q_P1_u_P4_of_q_p2_q_p3)
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_q_p3_q_p5_5);
-    let sin_q_p2_sin_q_p1 = sin_q_P1 * sin_q_P2;
-    let ratio_q_P1_u_P4_of_place_49 = (-ratio_q_P1_u_P4_of_q_p3_q_p5_4)
-        .mul_add(sin_q_p2_sin_q_p1, ratio_q_P1_u_P4_of_place_48 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_50 = ratio_q_P1_u_P4_of_place_35
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_38);
-    let ratio_q_P1_u_P4_of_place_51 = (-ratio_q_P1_u_P4_of_place_50)
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_49 * cos_q_P4);
-    let ratio_q_P1_u_P4_of_place_52 = sin_q_p1_l_sq * ratio_q_P1_u_P4_of_place_51;
-    let ratio_q_P1_u_P4_of_place_53 = (-ratio_q_P1_u_P4_of_place_16)
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_44 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_54 = l * ratio_q_P1_u_P4_of_place_8;
-    let sin_q_p3_sin_q_p1 = sin_q_P1 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_55 = (-cos_q_p3_cos_q_p1)
-        .mul_add(sin_q_P2, sin_q_p3_sin_q_p1);
-    let ratio_q_P1_u_P4_of_place_56 = ratio_q_P1_u_P4_of_place_6
-        .mul_add(cos_q_P1, cos_q_p3_sin_q_p1 * sin_q_P4);
-    let ratio_q_P1_u_P4_of_place_57 = (-ratio_q_P1_u_P4_of_place_56)
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_place_55 * sin_q_P5);
-    let ratio_q_P1_u_P4_of_place_58 = l * ratio_q_P1_u_P4_of_place_12;
-    let ratio_q_P1_u_P4_of_place_59 = ratio_q_P1_u_P4_of_place_57
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_58,
-            ratio_q_P1_u_P4_of_place_53 * ratio_q_P1_u_P4_of_place_54,
-        );
-    let ratio_q_P1_u_P4_of_place_60 = l * ratio_q_P1_u_P4_of_place_33;
-    let ratio_q_P1_u_P4_of_place_61 = ratio_q_P1_u_P4_of_place_59
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_60,
-            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_52,
-        );
-    let ratio_q_P1_u_P4_of_place_62 = cos_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_place;
-    let ratio_q_P1_u_P4_of_place_63 = ratio_q_P1_u_P4_of_place_62
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_45 * sin_q_P2);
-    let ratio_q_P1_u_P4_of_place_64 = l * ratio_q_P1_u_P4_of_place_63;
-    let ratio_q_P1_u_P4_of_place_65 = (-ratio_q_P1_u_P4_of_place_36)
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_of_q_p2);
-    let ratio_q_P1_u_P4_of_q_p2_q_p4 = cos_q_p2_cos_q_p4 - ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_place_66 = (-ratio_q_P1_u_P4_of_q_p2_q_p4)
-        .mul_add(sin_q_P5, cos_q_p2_cos_q_p4);
-    let ratio_q_P1_u_P4_of_q_p2_2 = -ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_q_p2_q_p4_2 = (-ratio_q_P1_u_P4_of_q_p2_2)
-        .mul_add(sin_q_P4, cos_q_p2_cos_q_p4);
-    let ratio_q_P1_u_P4_of_place_67 = sin_q_p3_cos_q_p5
-        .mul_add(ratio_q_P1_u_P4_of_q_p2_q_p4_2, ratio_q_P1_u_P4_of_place_66 * cos_q_P3);
-    let ratio_q_P1_u_P4_of_place_68 = (-ratio_q_P1_u_P4_of_place_67)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_65 * sin_q_P1);
-    let cos_q_p1_l_sq = l_sq * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_69 = ratio_q_P1_u_P4_of_place_68 * cos_q_p1_l_sq;
-    let ratio_q_P1_u_P4_of_place_70 = ratio_q_P1_u_P4_of_place_13
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_69,
-            ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_of_place_59,
-        );
-    let ratio_q_P1_u_P4_of_place_71 = l * ratio_q_P1_u_P4_of_place_4;
-    let ratio_q_P1_u_P4_of_place_72 = ratio_q_P1_u_P4_of_place_71 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_73 = (-ratio_q_P1_u_P4_of_place_17)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_52,
-            ratio_q_P1_u_P4_of_place_33 * ratio_q_P1_u_P4_of_place_69,
-        );
-    let ratio_q_P1_u_P4_of_place_74 = (-ratio_q_P1_u_P4_of_place_11)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_9 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_75 = l * ratio_q_P1_u_P4_of_place_74;
-    let ratio_q_P1_u_P4_of_place_76 = S::int(1)
-        / (ratio_q_P1_u_P4_of_place_61
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_64,
-                ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_of_place_47,
-            ) + ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_of_place_72
-            + ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_of_place_75);
-    let ratio_q_P1_u_P4_of_place_77 = l * ratio_q_P1_u_P4_of_place_76;
-    let ratio_q_P1_u_P4_of_place_78 = ratio_q_P1_u_P4_of_place_43 * ratio_q_P1_u_P4_of_place_77;
-    let ratio_q_P1_u_P4_of_place_79 = ratio_q_P1_u_P4_of_place_4 * cos_q_p1_l_sq;
-    let ratio_q_P1_u_P4_of_place_80 = (-ratio_q_P1_u_P4_of_place_15)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_64,
-            ratio_q_P1_u_P4_of_place_31 * ratio_q_P1_u_P4_of_place_79,
-        ) - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_of_place_74;
-    let ratio_q_P1_u_P4_of_place_81 = (-ratio_q_P1_u_P4_of_q_p4_q_p5)
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32 * sin_q_P3);
-    let ratio_q_P1_u_P4_of_place_82 = ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_of_place_81;
-    let ratio_q_P1_u_P4_of_place_83 = (-ratio_q_P1_u_P4_of_place_13)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_14,
-            ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_60,
-        );
-    let ratio_q_P1_u_P4_of_place_84 = ratio_q_P1_u_P4_of_place_9
-        .mul_add(sin_q_p2_sin_q_p1, ratio_q_P1_u_P4_of_place_38);
-    let ratio_q_P1_u_P4_of_place_85 = l * ratio_q_P1_u_P4_of_place_13;
-    let ratio_q_P1_u_P4_of_place_86 = (-ratio_q_P1_u_P4_of_place_84)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_85,
-            ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_18,
-        );
-    let ratio_q_P1_u_P4_of_place_87 = (-ratio_q_P1_u_P4_of_place_14)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_17,
-            ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_of_place_84,
-        );
-    let ratio_q_P1_u_P4_of_place_88 = ratio_q_P1_u_P4_of_place_72
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_86,
-            ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_of_place_83,
-        ) - ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_of_place_87;
-    let ratio_q_P1_u_P4_of_place_89 = (-cos_q_p3_cos_q_p1)
-        .mul_add(ratio_q_P1_u_P4_of_q_p4_q_p5_5, ratio_q_P1_u_P4_of_place_42 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_90 = ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_of_place_89;
-    let ratio_q_P1_u_P4_of_q_p5_3 = S::int(2) - sin_q_P5;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_6 = ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p5_3;
-    let ratio_q_P1_u_P4_of_place_91 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_6)
-        .mul_add(sin_q_P3, ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_7 = sin_q_P3 + cos_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_of_place_92 = ratio_q_P1_u_P4_of_place_91
-        .mul_add(sin_q_P4, -sin_q_P5) + ratio_q_P1_u_P4_of_q_p3_q_p5_7;
-    let ratio_q_P1_u_P4_of_place_93 = l_sq * ratio_q_P1_u_P4_of_place_77;
+    let ratio_q_P2_u_P1_of_place_6 = sin_q_p3_cos_q_p5
+        .mul_add(sin_q_P4, cos_q_P3 * sin_q_P5);
+    let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_place_7 = sin_q_p2_cos_q_p4
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_6 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_place_8 = l * ratio_q_P2_u_P1_of_place_7;
     let cos_q_p2_sin_q_p4 = cos_q_P2 * sin_q_P4;
-    let ratio_q_P1_u_P4_of_place_94 = sin_q_p2_cos_q_p4
+    let ratio_q_P2_u_P1_of_place_9 = sin_q_p2_cos_q_p4
         .mul_add(sin_q_P3, cos_q_p2_sin_q_p4);
-    let ratio_q_P1_u_P4_of_place_95 = (-ratio_q_P1_u_P4_of_place_94)
-        .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * cos_q_P4);
-    let ratio_q_P1_u_P4_of_place_96 = ratio_q_P1_u_P4_of_place_95 * cos_q_P5;
-    let ratio_q_P1_u_P4_of_place_97 = ratio_q_P1_u_P4_of_place_93 * ratio_q_P1_u_P4_of_place_96;
-    let ratio_q_P1_u_P4_of_place_98 = ratio_q_P1_u_P4_of_place_97 * cos_q_P5;
-    let ratio_q_P1_u_P4 = ratio_q_P1_u_P4_of_place_80
+    let ratio_q_P2_u_P1_of_place_10 = cos_q_p3_cos_q_p1 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_place_11 = (-ratio_q_P2_u_P1_of_place_9)
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_10);
+    let ratio_q_P2_u_P1_of_place_12 = ratio_q_P2_u_P1_of_place_11 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_13 = ratio_q_P2_u_P1_of_place_8
         .mul_add(
-            ratio_q_P1_u_P4_of_place_82,
-            ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_of_place_78,
-        ) - ratio_q_P1_u_P4_of_place_88 * ratio_q_P1_u_P4_of_place_90
-        - ratio_q_P1_u_P4_of_place_92 * ratio_q_P1_u_P4_of_place_98;
-    let w_rod1_frame_2 = u_P4 * ratio_q_P1_u_P4;
-    let w_rod1_frame_22 = w_rod1_frame_2 * w_rod1_frame_2;
-    let a_rod1_centre_1 = l * w_rod1_frame_22;
-    let ratio_q_P2_u_P4_of_place = ratio_q_P1_u_P4_of_place_31 * l_sq;
-    let ratio_q_P2_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_69
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_74,
-            ratio_q_P1_u_P4_of_place_59 * ratio_q_P1_u_P4_of_place_64,
-        ) + ratio_q_P1_u_P4_of_place_46 * ratio_q_P2_u_P4_of_place;
-    let ratio_q_P2_u_P4_of_place_3 = l_sq * ratio_q_P1_u_P4_of_place_57;
-    let ratio_q_P2_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_place_17)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_74,
-            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_63,
+            ratio_q_P2_u_P1_of_place_12,
+            ratio_q_P2_u_P1_of_place * ratio_q_P2_u_P1_of_place_5,
         );
-    let ratio_q_P2_u_P4_of_place_5 = (-ratio_q_P2_u_P4_of_place_3)
+    let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_2 = ratio_q_P2_u_P1_of_q_p4_q_p5 - S::int(1);
+    let ratio_q_P2_u_P1_of_place_14 = ratio_q_P2_u_P1_of_q_p4_q_p5_2 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_15 = cos_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_place_14;
+    let ratio_q_P2_u_P1_of_place_16 = ratio_q_P2_u_P1_of_q_p4_q_p5_2
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
+    let ratio_q_P2_u_P1_of_place_17 = ratio_q_P2_u_P1_of_place_16 * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_18 = l
+        * ratio_q_P2_u_P1_of_place_17
+            .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_place_15 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_19 = (-sin_q_P3)
+        .mul_add(sin_q_P5, cos_q_p3_cos_q_p5 * sin_q_P4);
+    let ratio_q_P2_u_P1_of_place_20 = sin_q_p2_sin_q_p1
+        .mul_add(ratio_q_P2_u_P1_of_place_19, ratio_q_P2_u_P1_of_place_6 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_21 = ratio_q_P2_u_P1_of_place_16 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_22 = (-ratio_q_P2_u_P1_of_place_8)
         .mul_add(
-            ratio_q_P2_u_P4_of_place_4,
-            ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_of_place_86,
+            ratio_q_P2_u_P1_of_place_20,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_21,
         );
-    let ratio_q_P2_u_P4_of_q_p2_q_p5 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_q_p5);
-    let ratio_q_P2_u_P4_of_place_6 = ratio_q_P2_u_P4_of_q_p2_q_p5
-        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_of_q_p2);
-    let ratio_q_P2_u_P4_of_place_7 = ratio_q_P1_u_P4_of_place_32 + ratio_q_P2_u_P4_of_place_6;
-    let ratio_q_P2_u_P4_of_q_p5 = -ratio_q_P1_u_P4_of_q_p5_3;
-    let ratio_q_P2_u_P4_of_q_p4_q_p5 = ratio_q_P2_u_P4_of_q_p5
-        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_of_q_p5_3);
-    let ratio_q_P2_u_P4_of_place_8 = (-ratio_q_P2_u_P4_of_q_p4_q_p5)
-        .mul_add(cos_q_P2, ratio_q_P2_u_P4_of_place_7 * cos_q_P4);
-    let ratio_q_P2_u_P4_of_q_p2_q_p4 = ratio_q_P1_u_P4_of_q_p2_2
-        .mul_add(cos_q_P4, ratio_q_P1_u_P4_of_q_p4 * cos_q_P2);
-    let ratio_q_P2_u_P4_of_place_9 = (-sin_q_p3_cos_q_p5)
-        .mul_add(ratio_q_P2_u_P4_of_q_p2_q_p4, ratio_q_P2_u_P4_of_place_8 * cos_q_P3);
-    let ratio_q_P2_u_P4 = (-ratio_q_P1_u_P4_of_place_82)
+    let ratio_q_P2_u_P1_of_place_23 = ratio_q_P2_u_P1_of_q_p4_q_p5 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_24 = ratio_q_P2_u_P1_of_q_p3_q_p5
+        .mul_add(sin_q_p2_cos_q_p4, ratio_q_P2_u_P1_of_place_23);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_2 = ratio_q_P2_u_P1_of_q_p5_2 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_25 = l
+        * (ratio_q_P2_u_P1_of_q_p3_q_p5_2 * sin_q_P1)
+            .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_24 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_26 = l * ratio_q_P2_u_P1_of_place_12;
+    let ratio_q_P2_u_P1_of_place_27 = l * ratio_q_P2_u_P1_of_place;
+    let ratio_q_P2_u_P1_of_place_28 = ratio_q_P2_u_P1_of_place_20
         .mul_add(
-            ratio_q_P2_u_P4_of_place_2,
-            ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_of_place_78,
-        ) + ratio_q_P1_u_P4_of_place_90 * ratio_q_P2_u_P4_of_place_5
-        - ratio_q_P1_u_P4_of_place_98 * ratio_q_P2_u_P4_of_place_9;
-    let ratio_q_P3_u_P4_of_place = ratio_q_P1_u_P4_of_place_59
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_72,
-            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_47,
-        ) - ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_of_place_74;
-    let ratio_q_P3_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_33 * ratio_q_P2_u_P4_of_place_3;
-    let ratio_q_P3_u_P4_of_place_3 = ratio_q_P1_u_P4_of_place_57 * ratio_q_P1_u_P4_of_place_79;
-    let ratio_q_P3_u_P4_of_place_4 = ratio_q_P1_u_P4_of_place_74
-        .mul_add(
-            ratio_q_P3_u_P4_of_place_2,
-            ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_of_place_83,
-        ) + ratio_q_P1_u_P4_of_place_13 * ratio_q_P3_u_P4_of_place_3;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5 = -ratio_q_P1_u_P4_of_q_p3_q_p5;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_3;
-    let ratio_q_P3_u_P4_of_place_5 = ratio_q_P3_u_P4_of_q_p3_q_p5_2
-        .mul_add(sin_q_P4, sin_q_P5 - S::int(3) + ratio_q_P1_u_P4_of_q_p3_q_p5_7);
-    let ratio_q_P3_u_P4_of_place_6 = (-ratio_q_P3_u_P4_of_place_5)
-        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_place_2 - ratio_q_P1_u_P4_of_place_32);
-    let ratio_q_P3_u_P4_of_place_7 = ratio_q_P3_u_P4_of_q_p3_q_p5
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_q_p4_q_p5 + ratio_q_P1_u_P4_of_place_32)
-        + ratio_q_P3_u_P4_of_place_6 * sin_q_P3;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5_3 = S::int(1) + sin_q_p3_sin_q_p5;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5_4 = (-ratio_q_P3_u_P4_of_q_p3_q_p5_3)
-        .mul_add(sin_q_P3, sin_q_P5 + ratio_q_P1_u_P4_of_q_p3_q_p5);
-    let ratio_q_P3_u_P4_of_place_8 = (-sin_q_p3_sin_q_p5).mul_add(sin_q_P3, S::int(1))
-        + ratio_q_P1_u_P4_of_place_32 + ratio_q_P3_u_P4_of_place_7 * sin_q_P4
-        - ratio_q_P3_u_P4_of_q_p3_q_p5_4 * sin_q_P2;
-    let ratio_q_P3_u_P4_of_place_9 = (-ratio_q_P2_u_P4_of_place_6)
-        .mul_add(sin_q_P3, -ratio_q_P1_u_P4_of_place_32 - ratio_q_P1_u_P4_of_q_p2);
-    let ratio_q_P3_u_P4_of_place_10 = cos_q_p3_sin_q_p5
-        .mul_add(ratio_q_P3_u_P4_of_place_9, ratio_q_P3_u_P4_of_place_8 * cos_q_P5);
-    let ratio_q_P3_u_P4 = ratio_q_P1_u_P4_of_place_82
-        .mul_add(
-            ratio_q_P3_u_P4_of_place,
-            ratio_q_P1_u_P4_of_place_61 * ratio_q_P1_u_P4_of_place_78,
-        ) + ratio_q_P1_u_P4_of_place_90 * ratio_q_P3_u_P4_of_place_4
-        + ratio_q_P1_u_P4_of_place_97 * ratio_q_P3_u_P4_of_place_10;
-    let ratio_q_P5_u_P4_of_place = ratio_q_P1_u_P4_of_place_79 * cos_q_P1;
-    let ratio_q_P5_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_52
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_63,
-            ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_of_place_46,
-        ) + ratio_q_P1_u_P4_of_place_68 * ratio_q_P5_u_P4_of_place;
-    let ratio_q_P5_u_P4_of_place_3 = ratio_q_P1_u_P4_of_place_17
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_79,
-            ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_of_place_63,
+            ratio_q_P2_u_P1_of_place_27,
+            ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_of_place_26,
         );
-    let ratio_q_P5_u_P4_of_place_4 = ratio_q_P1_u_P4_of_place_57
+    let ratio_q_P2_u_P1_of_place_29 = (-ratio_q_P2_u_P1_of_place_6)
+        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
+    let ratio_q_P2_u_P1_of_place_30 = l
+        * (-ratio_q_P2_u_P1_of_place_29)
+            .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_19 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_31 = (-ratio_q_P2_u_P1_of_place_22)
         .mul_add(
-            ratio_q_P5_u_P4_of_place_3,
-            ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_of_place_87,
-        );
-    let ratio_q_P5_u_P4_of_place_5 = (-ratio_q_P1_u_P4_of_place_62)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_16 * sin_q_p2_sin_q_p1);
-    let ratio_q_P5_u_P4_of_place_6 = ratio_q_P1_u_P4_of_place_4 * sin_q_p1_l_sq;
-    let ratio_q_P5_u_P4_of_place_7 = ratio_q_P1_u_P4_of_place_17
+            ratio_q_P2_u_P1_of_place_25,
+            ratio_q_P2_u_P1_of_place_13 * ratio_q_P2_u_P1_of_place_18,
+        ) - ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_of_place_30;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_3 = S::int(1) - cos_q_p3_cos_q_p5;
+    let ratio_q_P2_u_P1_of_place_32 = -ratio_q_P2_u_P1_of_place_14 - ratio_q_P2_u_P1_of_q_p3_q_p5_3;
+    let ratio_q_P2_u_P1_of_place_33 = ratio_q_P2_u_P1_of_place_32
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_q_p5_2 * cos_q_p2_cos_q_p4);
+    let ratio_q_P2_u_P1_of_place_34 = S::int(1) + ratio_q_P2_u_P1_of_place_33;
+    let ratio_q_P2_u_P1_of_place_35 = (-ratio_q_P2_u_P1_of_place_16)
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_34 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_36 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(ratio_q_P2_u_P1_of_place_10, ratio_q_P2_u_P1_of_place_24 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_37 = ratio_q_P2_u_P1_of_place_29
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_19 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_38 = (-ratio_q_P2_u_P1_of_place_26)
         .mul_add(
-            ratio_q_P5_u_P4_of_place_6,
-            ratio_q_P1_u_P4_of_place_34 * ratio_q_P5_u_P4_of_place_5,
+            ratio_q_P2_u_P1_of_place_37,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_36,
         );
-    let ratio_q_P5_u_P4_of_place_8 = l * ratio_q_P1_u_P4_of_place_53;
-    let ratio_q_P5_u_P4_of_place_9 = ratio_q_P1_u_P4_of_place_76
-        * ratio_q_P5_u_P4_of_place_3
+    let ratio_q_P2_u_P1_of_place_39 = l * ratio_q_P2_u_P1_of_place_33;
+    let ratio_q_P2_u_P1_of_place_40 = ratio_q_P2_u_P1_of_q_p5_2 * sin_q_p2_cos_q_p4;
+    let ratio_q_P2_u_P1_of_place_41 = ratio_q_P2_u_P1_of_place_32
+        .mul_add(cos_q_P2, -ratio_q_P2_u_P1_of_place_40);
+    let ratio_q_P2_u_P1_of_place_42 = ratio_q_P2_u_P1_of_place_8 * sin_q_P1;
+    let ratio_q_P2_u_P1_of_place_43 = (-ratio_q_P2_u_P1_of_place_37)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_42,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_41 * sin_q_P1,
+        );
+    let cos_q_p2_sin_q_p1 = sin_q_P1 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_q_p3 = sin_q_P3 - S::int(1);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_4 = (-ratio_q_P2_u_P1_of_q_p3)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_q_p3_q_p5_2);
+    let ratio_q_P2_u_P1_of_place_44 = (-ratio_q_P2_u_P1_of_q_p3_q_p5_4)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_q_p3_q_p5 * sin_q_p2_sin_q_p1);
+    let ratio_q_P2_u_P1_of_place_45 = ratio_q_P2_u_P1_of_q_p4_q_p5 * cos_q_p2_sin_q_p1;
+    let ratio_q_P2_u_P1_of_place_46 = ratio_q_P2_u_P1_of_place_44
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_45);
+    let ratio_q_P2_u_P1_of_place_47 = sin_q_p2_cos_q_p4
+        .mul_add(ratio_q_P2_u_P1_of_q_p3, cos_q_p2_sin_q_p4);
+    let ratio_q_P2_u_P1_of_place_48 = (-ratio_q_P2_u_P1_of_place_47)
+        .mul_add(sin_q_P3, cos_q_p2_sin_q_p4);
+    let cos_q_p5_sin_q_p1 = sin_q_P1 * cos_q_P5;
+    let l_sq = l * l;
+    let ratio_q_P2_u_P1_of_place_49 = l_sq
+        * ratio_q_P2_u_P1_of_place_48
+            .mul_add(cos_q_p5_sin_q_p1, ratio_q_P2_u_P1_of_place_46 * cos_q_P3);
+    let ratio_q_P2_u_P1_of_place_50 = cos_q_p2_sin_q_p1 * ratio_q_P2_u_P1_of_place_49;
+    let ratio_q_P2_u_P1_of_place_51 = ratio_q_P2_u_P1_of_place_27
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_43,
+            ratio_q_P2_u_P1_of_place_38 * ratio_q_P2_u_P1_of_place_39,
+        ) + ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_of_place_50;
+    let ratio_q_P2_u_P1_of_q_p4 = S::int(1) + sin_q_P4;
+    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_2 = ratio_q_P2_u_P1_of_q_p4 - cos_q_p4_sq;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_3 = ratio_q_P2_u_P1_of_q_p4_2
+        .mul_add(sin_q_P5, cos_q_p4_sq);
+    let ratio_q_P2_u_P1_of_place_52 = ratio_q_P2_u_P1_of_q_p4_q_p5_3 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_53 = (-cos_q_p3_cos_q_p5)
+        .mul_add(ratio_q_P2_u_P1_of_q_p4, ratio_q_P2_u_P1_of_place_52);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_4 = sin_q_P5 + ratio_q_P2_u_P1_of_q_p4_q_p5;
+    let ratio_q_P2_u_P1_of_place_54 = cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p4_q_p5_4;
+    let ratio_q_P2_u_P1_of_place_55 = ratio_q_P2_u_P1_of_place_53
+        .mul_add(sin_q_P2, -ratio_q_P2_u_P1_of_place_54);
+    let ratio_q_P2_u_P1_of_place_56 = ratio_q_P2_u_P1_of_q_p4_q_p5_3 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_57 = sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_of_q_p4;
+    let ratio_q_P2_u_P1_of_place_58 = ratio_q_P2_u_P1_of_place_57
+        .mul_add(S::int(2), ratio_q_P2_u_P1_of_place_56);
+    let ratio_q_P2_u_P1_of_place_59 = (-ratio_q_P2_u_P1_of_place_58)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_55 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_60 = ratio_q_P2_u_P1_of_place_59
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_of_place_52);
+    let ratio_q_P2_u_P1_of_place_61 = (-sin_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P2_u_P1_of_place_54, ratio_q_P2_u_P1_of_place_60 * sin_q_P2);
+    let ratio_q_P2_u_P1_of_place_62 = ratio_q_P2_u_P1_of_place_56 + ratio_q_P2_u_P1_of_place_57;
+    let ratio_q_P2_u_P1_of_place_63 = ratio_q_P2_u_P1_of_place_62 * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_64 = (-sin_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P2_u_P1_of_place_63, ratio_q_P2_u_P1_of_place_61 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_65 = ratio_q_P2_u_P1_of_place_33 * l_sq;
+    let ratio_q_P2_u_P1_of_place_66 = l * ratio_q_P2_u_P1_of_place_21;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_5 = cos_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_place_67 = (-ratio_q_P2_u_P1_of_q_p3_q_p5_5)
+        .mul_add(sin_q_P4, ratio_q_P2_u_P1_of_q_p3 * sin_q_P5);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_6 = ratio_q_P2_u_P1_of_q_p3_q_p5 + cos_q_p3_cos_q_p5;
+    let ratio_q_P2_u_P1_of_place_68 = (-sin_q_p2_cos_q_p4)
+        .mul_add(ratio_q_P2_u_P1_of_q_p3_q_p5_6, ratio_q_P2_u_P1_of_place_67 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_7 = sin_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p3_q_p5_2;
+    let ratio_q_P2_u_P1_of_place_69 = ratio_q_P2_u_P1_of_q_p3_q_p5_7 * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_70 = (-ratio_q_P2_u_P1_of_place_69)
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_68 * sin_q_P1);
+    let cos_q_p2_cos_q_p1 = cos_q_P1 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_71 = (-ratio_q_P2_u_P1_of_place_6)
+        .mul_add(cos_q_p2_cos_q_p1, ratio_q_P2_u_P1_of_place_70 * sin_q_P2);
+    let ratio_q_P2_u_P1_of_place_72 = l_sq * ratio_q_P2_u_P1_of_place_71 * sin_q_P1;
+    let ratio_q_P2_u_P1_of_place_73 = ratio_q_P2_u_P1_of_place_43
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_66,
+            ratio_q_P2_u_P1_of_place_64 * ratio_q_P2_u_P1_of_place_65,
+        ) - ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_of_place_72;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_8 = (-ratio_q_P2_u_P1_of_q_p3_q_p5_2)
+        .mul_add(S::int(2), sin_q_p3_cos_q_p5);
+    let ratio_q_P2_u_P1_of_place_74 = ratio_q_P2_u_P1_of_q_p3_q_p5_8
+        .mul_add(cos_q_P1, sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_of_q_p3_q_p5_6);
+    let ratio_q_P2_u_P1_of_place_75 = ratio_q_P2_u_P1_of_place_74
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_45);
+    let ratio_q_P2_u_P1_of_place_76 = (-cos_q_p2_sin_q_p1)
+        .mul_add(sin_q_P4, ratio_q_P2_u_P1_of_place_10);
+    let ratio_q_P2_u_P1_of_place_77 = (-cos_q_p3_cos_q_p5)
+        .mul_add(ratio_q_P2_u_P1_of_place_76, ratio_q_P2_u_P1_of_place_75 * sin_q_P3);
+    let ratio_q_P2_u_P1_of_place_78 = ratio_q_P2_u_P1_of_place_77
+        .mul_add(sin_q_P2, cos_q_p2_sin_q_p4 * ratio_q_P2_u_P1_of_place_69);
+    let ratio_q_P2_u_P1_of_place_79 = (-ratio_q_P2_u_P1_of_place_10)
+        .mul_add(ratio_q_P2_u_P1_of_place_69, ratio_q_P2_u_P1_of_place_78 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_80 = ratio_q_P2_u_P1_of_place
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_72,
+            ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_of_place_50,
+        ) + ratio_q_P2_u_P1_of_place_65 * ratio_q_P2_u_P1_of_place_79;
+    let ratio_q_P2_u_P1_of_place_81 = l * ratio_q_P2_u_P1_of_place_41;
+    let ratio_q_P2_u_P1_of_place_82 = ratio_q_P2_u_P1_of_place_81 * cos_q_P1;
+    let cos_q_p5_sq = cos_q_P5 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_q_p5_3 = ratio_q_P2_u_P1_of_q_p5
+        .mul_add(S::int(2), -cos_q_p5_sq);
+    let ratio_q_P2_u_P1_of_q_p5_4 = -ratio_q_P2_u_P1_of_q_p5_3;
+    let cos_q_p4_sq_doubled = S::int(2) * cos_q_p4_sq;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_5 = ratio_q_P2_u_P1_of_q_p5_4 * cos_q_p4_sq_doubled;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_6 = -ratio_q_P2_u_P1_of_q_p5 - ratio_q_P2_u_P1_of_q_p4_q_p5_5;
+    let ratio_q_P2_u_P1_of_q_p5_5 = ratio_q_P2_u_P1_of_q_p5 - cos_q_p5_sq;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_7 = cos_q_p4_sq * ratio_q_P2_u_P1_of_q_p5_4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_8 = -ratio_q_P2_u_P1_of_q_p5_5
+        - ratio_q_P2_u_P1_of_q_p4_q_p5_7;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_9 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(cos_q_p4_sq, ratio_q_P2_u_P1_of_q_p4_q_p5_8 * sin_q_P4);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_10 = ratio_q_P2_u_P1_of_q_p4_q_p5_9
+        - ratio_q_P2_u_P1_of_q_p5_5;
+    let ratio_q_P2_u_P1_of_q_p4_3 = ratio_q_P2_u_P1_of_q_p4 - cos_q_p4_sq_doubled;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_11 = ratio_q_P2_u_P1_of_q_p5 * ratio_q_P2_u_P1_of_q_p4_3;
+    let ratio_q_P2_u_P1_of_place_83 = sin_q_p3_cos_q_p5
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_11,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_10 * cos_q_P3,
+        );
+    let ratio_q_P2_u_P1_of_place_84 = ratio_q_P2_u_P1_of_place_83 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_85 = ratio_q_P2_u_P1_of_q_p4_q_p5_6
+        .mul_add(sin_q_P4, -ratio_q_P2_u_P1_of_q_p5)
+        - ratio_q_P2_u_P1_of_q_p5_2 * cos_q_p4_sq_doubled - ratio_q_P2_u_P1_of_place_84;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_12 = S::int(2) * ratio_q_P2_u_P1_of_q_p4_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_13 = (-ratio_q_P2_u_P1_of_q_p5)
+        .mul_add(S::int(3), cos_q_p5_sq) - ratio_q_P2_u_P1_of_q_p4_q_p5_5
+        + ratio_q_P2_u_P1_of_q_p4_q_p5_12;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_14 = ratio_q_P2_u_P1_of_q_p4_q_p5_12 - ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_place_86 = cos_q_p3_cos_q_p5
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_14,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_13 * sin_q_P3,
+        );
+    let ratio_q_P2_u_P1_of_place_87 = sin_q_p2_cos_q_p4
+        .mul_add(ratio_q_P2_u_P1_of_place_86, ratio_q_P2_u_P1_of_place_85 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_place_88 = (-ratio_q_P2_u_P1_of_place_84)
+        .mul_add(S::int(2), ratio_q_P2_u_P1_of_q_p4_q_p5_10)
+        - ratio_q_P2_u_P1_of_place_87 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_89 = (-cos_q_p3_cos_q_p5)
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_11,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_10 * sin_q_P3,
+        );
+    let ratio_q_P2_u_P1_of_place_90 = ratio_q_P2_u_P1_of_place_89 * sin_q_P2;
+    let ratio_q_P2_u_P1_of_place_91 = (-cos_q_p2_cos_q_p4)
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_13,
+            S::int(2) * ratio_q_P2_u_P1_of_place_90,
+        );
+    let ratio_q_P2_u_P1_of_place_92 = cos_q_p2_cos_q_p4 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_93 = ratio_q_P2_u_P1_of_q_p4_q_p5_14
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_92,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_11 * sin_q_P2,
+        );
+    let ratio_q_P2_u_P1_of_place_94 = ratio_q_P2_u_P1_of_place_93
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_91 * cos_q_P3);
+    let ratio_q_P2_u_P1_of_place_95 = (-ratio_q_P2_u_P1_of_place_94)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_88 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_15 = ratio_q_P2_u_P1_of_q_p4_q_p5
+        - ratio_q_P2_u_P1_of_q_p5_3 - ratio_q_P2_u_P1_of_q_p4_q_p5_7;
+    let ratio_q_P2_u_P1_of_place_96 = (-cos_q_p2_cos_q_p4)
+        .mul_add(ratio_q_P2_u_P1_of_q_p4_q_p5_15, ratio_q_P2_u_P1_of_place_90);
+    let ratio_q_P2_u_P1_of_place_97 = ratio_q_P2_u_P1_of_place_23
+        .mul_add(sin_q_P3, ratio_q_P2_u_P1_of_place_40);
+    let cos_q_p4_cos_q_p5 = cos_q_P4 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_98 = ratio_q_P2_u_P1_of_place_96
+        .mul_add(cos_q_P3, ratio_q_P2_u_P1_of_place_95 * cos_q_P1)
+        + ratio_q_P2_u_P1_of_place_97 * cos_q_p4_cos_q_p5;
+    let ratio_q_P2_u_P1_of_place_99 = l_sq * ratio_q_P2_u_P1_of_place_98;
+    let ratio_q_P2_u_P1_of_place_100 = S::int(1)
+        / ((-ratio_q_P2_u_P1_of_place_18)
             .mul_add(
-                ratio_q_P5_u_P4_of_place_8,
-                ratio_q_P1_u_P4_of_place_47 * ratio_q_P5_u_P4_of_place_7,
-            );
-    let ratio_q_P5_u_P4 = ratio_q_P1_u_P4_of_place_82
+                ratio_q_P2_u_P1_of_place_51,
+                ratio_q_P2_u_P1_of_place_25 * ratio_q_P2_u_P1_of_place_73,
+            ) + ratio_q_P2_u_P1_of_place_30 * ratio_q_P2_u_P1_of_place_80
+            + ratio_q_P2_u_P1_of_place_82 * ratio_q_P2_u_P1_of_place_99);
+    let ratio_q_P2_u_P1_of_place_101 = l * ratio_q_P2_u_P1_of_place_100;
+    let ratio_q_P2_u_P1_of_place_102 = ratio_q_P2_u_P1_of_place_35 * ratio_q_P2_u_P1_of_place_101;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_16 = ratio_q_P2_u_P1_of_q_p4_q_p5 - ratio_q_P2_u_P1_of_q_p5;
+    let sin_q_p3_sin_q_p1 = sin_q_P1 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_103 = (-cos_q_p3_cos_q_p1)
+        .mul_add(sin_q_P2, sin_q_p3_sin_q_p1);
+    let cos_q_p3_sin_q_p4 = cos_q_P3 * sin_q_P4;
+    let ratio_q_P2_u_P1_of_place_104 = cos_q_p3_sin_q_p4
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_3 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_105 = (-ratio_q_P2_u_P1_of_place_104)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_103 * sin_q_P5);
+    let ratio_q_P2_u_P1_of_place_106 = l_sq * ratio_q_P2_u_P1_of_place_101;
+    let ratio_q_P2_u_P1_of_place_107 = ratio_q_P2_u_P1_of_place_105 * ratio_q_P2_u_P1_of_place_106;
+    let ratio_q_P2_u_P1_of_place_108 = ratio_q_P2_u_P1_of_place_107 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_109 = ratio_q_P2_u_P1_of_place_34
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_17);
+    let ratio_q_P2_u_P1_of_place_110 = ratio_q_P2_u_P1_of_place_98 * ratio_q_P2_u_P1_of_place_106;
+    let ratio_q_P2_u_P1 = ratio_q_P2_u_P1_of_q_p4_q_p5_16
         .mul_add(
-            ratio_q_P5_u_P4_of_place_2,
-            ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_of_place_78,
-        ) - ratio_q_P1_u_P4_of_place_90 * ratio_q_P5_u_P4_of_place_4
-        - ratio_q_P1_u_P4_of_place_96 * ratio_q_P5_u_P4_of_place_9;
-    let u_p4_ratio_q_p5_u_p4 = u_P4 * ratio_q_P5_u_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4 = u_p4_ratio_q_p5_u_p4 * cos_q_P5;
-    let u_p4_cos_q_p4 = u_P4 * cos_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_2 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P4);
-    let ratio_q_P1_u_P4_2_of_u_p4_3 = -ratio_q_P1_u_P4_2_of_u_p4_2;
-    let u_p4_ratio_q_p3_u_p4 = u_P4 * ratio_q_P3_u_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_4 = u_p4_ratio_q_p3_u_p4 * cos_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_5 = u_p4_ratio_q_p5_u_p4 * sin_q_P5;
-    let ratio_q_P1_u_P4_2_of_u_p4_6 = (-ratio_q_P1_u_P4_2_of_u_p4_4)
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_2_of_u_p4_5 * sin_q_P3);
-    let ratio_q_P1_u_P4_2_of_u_p4_7 = u_p4_ratio_q_p3_u_p4 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_8 = (-ratio_q_P1_u_P4_2_of_u_p4_3)
-        .mul_add(cos_q_P3, -ratio_q_P1_u_P4_2_of_u_p4_6)
-        - ratio_q_P1_u_P4_of_q_p4_q_p5_2 * ratio_q_P1_u_P4_2_of_u_p4_7;
-    let w_rod2_frame_3 = u_P4 * ratio_q_P2_u_P4;
+            ratio_q_P2_u_P1_of_place_108,
+            ratio_q_P2_u_P1_of_place_31 * ratio_q_P2_u_P1_of_place_102,
+        ) + ratio_q_P2_u_P1_of_place_109 * ratio_q_P2_u_P1_of_place_110;
+    let ratio_q_P3_u_P1_of_place = (-ratio_q_P2_u_P1_of_place_7)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_42,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_33,
+        );
+    let ratio_q_P3_u_P1_of_place_2 = ratio_q_P2_u_P1_of_place
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_42,
+            ratio_q_P2_u_P1_of_place_12 * ratio_q_P2_u_P1_of_place_39,
+        );
+    let ratio_q_P3_u_P1_of_place_3 = ratio_q_P2_u_P1_of_place_25
+        .mul_add(
+            ratio_q_P3_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_13 * ratio_q_P2_u_P1_of_place_82,
+        ) + ratio_q_P2_u_P1_of_place_30 * ratio_q_P3_u_P1_of_place_2;
+    let ratio_q_P3_u_P1_of_place_4 = ratio_q_P2_u_P1_of_place_101 * ratio_q_P2_u_P1_of_place_109;
+    let ratio_q_P3_u_P1_of_q_p3_q_p5 = ratio_q_P2_u_P1_of_q_p3_q_p5_4
+        .mul_add(cos_q_P5, -ratio_q_P2_u_P1_of_q_p5) - ratio_q_P2_u_P1_of_q_p3_q_p5;
+    let ratio_q_P3_u_P1_of_place_5 = ratio_q_P2_u_P1_of_place_107 * cos_q_P4;
+    let ratio_q_P3_u_P1 = ratio_q_P2_u_P1_of_place_51
+        .mul_add(
+            ratio_q_P3_u_P1_of_place_4,
+            ratio_q_P2_u_P1_of_place_102 * ratio_q_P3_u_P1_of_place_3,
+        ) - ratio_q_P3_u_P1_of_q_p3_q_p5 * ratio_q_P3_u_P1_of_place_5;
+    let ratio_q_P4_u_P1_of_place = ratio_q_P2_u_P1_of_place_16 * cos_q_p2_sin_q_p1;
+    let ratio_q_P4_u_P1_of_place_2 = (-ratio_q_P2_u_P1_of_place_8)
+        .mul_add(
+            ratio_q_P4_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_20 * ratio_q_P2_u_P1_of_place_39,
+        );
+    let ratio_q_P4_u_P1_of_place_3 = ratio_q_P2_u_P1_of_place_18
+        .mul_add(
+            ratio_q_P3_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_22 * ratio_q_P2_u_P1_of_place_82,
+        ) - ratio_q_P2_u_P1_of_place_30 * ratio_q_P4_u_P1_of_place_2;
+    let ratio_q_P4_u_P1_of_q_p4_q_p5 = ratio_q_P2_u_P1_of_q_p4_q_p5_4 - S::int(2);
+    let ratio_q_P4_u_P1_of_place_4 = (-ratio_q_P4_u_P1_of_q_p4_q_p5)
+        .mul_add(
+            sin_q_P3,
+            ratio_q_P2_u_P1_of_q_p4_q_p5 - ratio_q_P2_u_P1_of_q_p3_q_p5_3,
+        );
+    let ratio_q_P4_u_P1_of_place_5 = ratio_q_P4_u_P1_of_place_4
+        .mul_add(sin_q_P4, sin_q_P3 - sin_q_P5 + cos_q_p3_cos_q_p5);
+    let ratio_q_P4_u_P1 = ratio_q_P2_u_P1_of_place_102
+        .mul_add(
+            ratio_q_P4_u_P1_of_place_3,
+            ratio_q_P2_u_P1_of_place_73 * ratio_q_P3_u_P1_of_place_4,
+        ) - ratio_q_P2_u_P1_of_place_108 * ratio_q_P4_u_P1_of_place_5;
+    let ratio_q_P5_u_P1_of_place = ratio_q_P2_u_P1_of_place_18
+        .mul_add(
+            ratio_q_P3_u_P1_of_place_2,
+            ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_of_place_82,
+        ) + ratio_q_P2_u_P1_of_place_25 * ratio_q_P4_u_P1_of_place_2;
+    let ratio_q_P5_u_P1_of_q_p3_q_p5 = (-ratio_q_P2_u_P1_of_q_p5_4)
+        .mul_add(sin_q_P3, -ratio_q_P2_u_P1_of_q_p5_3);
+    let ratio_q_P5_u_P1_of_q_p3_q_p5_2 = sin_q_P3 - ratio_q_P2_u_P1_of_q_p3_q_p5_3;
+    let ratio_q_P5_u_P1_of_place_2 = ratio_q_P2_u_P1_of_q_p5
+        .mul_add(
+            ratio_q_P5_u_P1_of_q_p3_q_p5_2,
+            ratio_q_P5_u_P1_of_q_p3_q_p5 * sin_q_P4,
+        );
+    let ratio_q_P5_u_P1 = ratio_q_P2_u_P1_of_place_102
+        .mul_add(
+            ratio_q_P5_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_80 * ratio_q_P3_u_P1_of_place_4,
+        ) - ratio_q_P3_u_P1_of_place_5 * ratio_q_P5_u_P1_of_place_2;
+    let w_rod1_frame_in_rod2_frame_1 = u_P1 * sin_q_P2;
+    let w_rod1_frame_in_rod2_frame_2 = u_P1 * cos_q_P2;
+    let u_p1_ratio_q_p5_u_p1 = u_P1 * ratio_q_P5_u_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1 = u_p1_ratio_q_p5_u_p1 * cos_q_P5;
+    let ratio_q_P2_u_P1_2_of_u_p1_2 = ratio_q_P2_u_P1_of_q_p5 * ratio_q_P2_u_P1_2_of_u_p1;
+    let u_p1_cos_q_p4 = u_P1 * cos_q_P4;
+    let ratio_q_P2_u_P1_2_of_u_p1_3 = ratio_q_P4_u_P1 * u_p1_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_u_p1_4 = ratio_q_P2_u_P1_2_of_u_p1_3 * sin_q_P4;
+    let ratio_q_P2_u_P1_2_of_u_p1_5 = (-cos_q_p4_sq)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_2,
+            ratio_q_P2_u_P1_of_q_p5_4 * ratio_q_P2_u_P1_2_of_u_p1_4,
+        );
+    let ratio_q_P2_u_P1_2_of_u_p1_6 = ratio_q_P5_u_P1 * u_p1_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_u_p1_7 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_12)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_3,
+            cos_q_p4_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_6,
+        );
+    let ratio_q_P2_u_P1_2_of_u_p1_8 = S::int(2) * ratio_q_P2_u_P1_2_of_u_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_9 = ratio_q_P2_u_P1_2_of_u_p1_8 * sin_q_P5;
+    let ratio_q_P2_u_P1_2_of_u_p1_10 = ratio_q_P2_u_P1_2_of_u_p1_9 - ratio_q_P2_u_P1_2_of_u_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_11 = S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_5;
+    let ratio_q_P2_u_P1_2_of_u_p1_12 = sin_q_P4
+        * (ratio_q_P2_u_P1_2_of_u_p1_11 - ratio_q_P2_u_P1_2_of_u_p1_10)
+        + ratio_q_P2_u_P1_of_q_p4_q_p5_8 * ratio_q_P2_u_P1_2_of_u_p1_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_13 = ratio_q_P2_u_P1_2_of_u_p1_7 + ratio_q_P2_u_P1_2_of_u_p1_10;
+    let ratio_q_P2_u_P1_2_of_u_p1_14 = ratio_q_P2_u_P1_2_of_u_p1_12 - ratio_q_P2_u_P1_2_of_u_p1_13;
+    let ratio_q_P2_u_P1_2_of_u_p1_15 = u_p1_ratio_q_p5_u_p1 * sin_q_P5;
+    let u_p1_ratio_q_p3_u_p1 = u_P1 * ratio_q_P3_u_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_16 = u_p1_ratio_q_p3_u_p1 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_17 = ratio_q_P2_u_P1_2_of_u_p1_16 * cos_q_P5;
+    let ratio_q_P2_u_P1_2_of_u_p1_18 = ratio_q_P2_u_P1_2_of_u_p1_15
+        .mul_add(sin_q_P3, ratio_q_P2_u_P1_2_of_u_p1_17);
+    let ratio_q_P2_u_P1_2_of_u_p1_19 = u_p1_ratio_q_p3_u_p1 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_20 = ratio_q_P2_u_P1_of_q_p5
+        * ratio_q_P2_u_P1_2_of_u_p1_4.mul_add(S::int(4), ratio_q_P2_u_P1_2_of_u_p1_3)
+        - ratio_q_P2_u_P1_of_q_p4_3 * ratio_q_P2_u_P1_2_of_u_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_21 = cos_q_P3
+        * ((-ratio_q_P2_u_P1_of_q_p4_q_p5_11)
+            .mul_add(
+                ratio_q_P2_u_P1_2_of_u_p1_18,
+                ratio_q_P2_u_P1_2_of_u_p1_14 * cos_q_P3,
+            ) + ratio_q_P2_u_P1_of_q_p4_q_p5_10 * ratio_q_P2_u_P1_2_of_u_p1_19
+            + sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_20)
+        + ratio_q_P2_u_P1_of_place_83 * ratio_q_P2_u_P1_2_of_u_p1_19;
+    let u_p1_ratio_q_p4_u_p1 = u_P1 * ratio_q_P4_u_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_22 = u_p1_ratio_q_p4_u_p1 * sin_q_P4;
+    let ratio_q_P2_u_P1_2_of_u_p1_23 = ratio_q_P2_u_P1 * u_p1_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_u_p1_24 = ratio_q_P2_u_P1_2_of_u_p1_23
+        .mul_add(cos_q_P2, ratio_q_P2_u_P1_2_of_u_p1_22 * sin_q_P2);
+    let w_rod2_frame_3 = u_P1 * ratio_q_P2_u_P1;
     let sin_q_p2_w_rod2_frame_3 = w_rod2_frame_3 * sin_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_9 = ratio_q_P1_u_P4_of_place_16
-        .mul_add(sin_q_p2_w_rod2_frame_3, ratio_q_P1_u_P4_2_of_u_p4_8 * cos_q_P2);
-    let ratio_q_P1_u_P4_2_of_u_p4_10 = ratio_q_P1_u_P4_2_of_u_p4_7
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_2_of_u_p4_5 * cos_q_P3);
-    let ratio_q_P1_u_P4_2_of_u_p4_11 = ratio_q_P1_u_P4_2_of_u_p4_10 - ratio_q_P1_u_P4_2_of_u_p4;
-    let ratio_q_P1_u_P4_2_of_u_p4_12 = ratio_q_P1_u_P4_2_of_u_p4_4 * sin_q_P5;
-    let ratio_q_P1_u_P4_2_of_u_p4_13 = ratio_q_P1_u_P4_of_q_p3_q_p5_2
-        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_of_q_p3 * ratio_q_P1_u_P4_2_of_u_p4)
-        + ratio_q_P1_u_P4_2_of_u_p4_11 * sin_q_P4 + ratio_q_P1_u_P4_2_of_u_p4_12;
-    let u_p4_sin_q_p4 = u_P4 * sin_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_14 = (-w_rod2_frame_3)
-        .mul_add(cos_q_p2_cos_q_p4, u_p4_sin_q_p4 * sin_q_P2);
-    let ratio_q_P1_u_P4_2_of_u_p4_15 = ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_16 = ratio_q_P1_u_P4_of_q_p5_2
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_15);
-    let ratio_q_P1_u_P4_2_of_u_p4_17 = ratio_q_P1_u_P4_2_of_u_p4_16 - ratio_q_P1_u_P4_2_of_u_p4_10;
-    let ratio_q_P1_u_P4_2_of_u_p4_18 = (-ratio_q_P1_u_P4_2_of_u_p4_13)
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_35 * sin_q_p2_w_rod2_frame_3)
-        + ratio_q_P1_u_P4_of_q_p3_q_p5_4 * ratio_q_P1_u_P4_2_of_u_p4_14
-        + sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_17;
-    let cos_q_p1_w_rod1_frame_2 = w_rod1_frame_2 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_19 = ratio_q_P1_u_P4_2_of_u_p4 * cos_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_20 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_7, ratio_q_P1_u_P4_2_of_u_p4_19);
-    let sin_q_p1_w_rod1_frame_2 = w_rod1_frame_2 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_25 = ratio_q_P2_u_P1_of_q_p5_2
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_3, ratio_q_P2_u_P1_2_of_u_p1 * sin_q_P4);
+    let ratio_q_P2_u_P1_2_of_u_p1_26 = ratio_q_P2_u_P1_2_of_u_p1_11 + ratio_q_P2_u_P1_2_of_u_p1_25;
+    let ratio_q_P2_u_P1_2_of_u_p1_27 = ratio_q_P2_u_P1_2_of_u_p1
+        .mul_add(S::int(3), -ratio_q_P2_u_P1_2_of_u_p1_9)
+        + S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_26;
+    let ratio_q_P2_u_P1_2_of_u_p1_28 = (-ratio_q_P2_u_P1_2_of_u_p1_15)
+        .mul_add(cos_q_P3, ratio_q_P2_u_P1_2_of_u_p1_19 * cos_q_P5);
+    let ratio_q_P2_u_P1_2_of_u_p1_29 = ratio_q_P2_u_P1_2_of_u_p1_25
+        .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_30 = (-ratio_q_P2_u_P1_2_of_u_p1_23)
+        .mul_add(sin_q_P2, cos_q_p2_sin_q_p4 * u_p1_ratio_q_p4_u_p1);
     let cos_q_p2_w_rod2_frame_3 = w_rod2_frame_3 * cos_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_21 = (-ratio_q_P1_u_P4_2_of_u_p4_7)
-        .mul_add(sin_q_P5, ratio_q_P1_u_P4_2_of_u_p4_19);
-    let ratio_q_P1_u_P4_2_of_u_p4_22 = sin_q_p3_cos_q_p5 * u_p4_cos_q_p4;
-    let ratio_q_P1_u_P4_2_of_u_p4_23 = ratio_q_P1_u_P4_2_of_u_p4_6
-        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_2_of_u_p4_21) + ratio_q_P1_u_P4_2_of_u_p4_22;
-    let ratio_q_P1_u_P4_2_of_u_p4_24 = ratio_q_P1_u_P4_2_of_u_p4_23
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_10 * sin_q_p1_w_rod1_frame_2);
-    let ratio_q_P1_u_P4_2_of_place = l_sq * cos_q_p1_w_rod1_frame_2;
-    let ratio_q_P1_u_P4_2_of_u_p4_25 = sin_q_p1_l_sq
-        * (sin_q_P2
-            * (ratio_q_P1_u_P4_2_of_u_p4_18 * sin_q_P1
-                + ratio_q_P1_u_P4_of_place_36 * cos_q_p1_w_rod1_frame_2
-                - cos_q_p4_cos_q_p1 * (ratio_q_P1_u_P4_2_of_u_p4_6 + ratio_q_P1_u_P4_2_of_u_p4_20)
-                + ratio_q_P1_u_P4_of_q_p3_q_p5_6
-                    * (-sin_q_p1_w_rod1_frame_2)
-                        .mul_add(cos_q_P4, u_p4_sin_q_p4 * cos_q_P1))
-            + ratio_q_P1_u_P4_of_place_38 * sin_q_p2_w_rod2_frame_3
-            - ratio_q_P1_u_P4_of_place_37 * cos_q_p2_w_rod2_frame_3
-            - ratio_q_P1_u_P4_2_of_u_p4_24 * cos_q_P2)
-        + ratio_q_P1_u_P4_of_place_39 * ratio_q_P1_u_P4_2_of_place;
-    let ratio_q_P1_u_P4_2_of_u_p4_26 = ratio_q_P1_u_P4_2_of_u_p4_12 + ratio_q_P1_u_P4_2_of_u_p4_15;
-    let ratio_q_P1_u_P4_2_of_u_p4_27 = cos_q_p3_cos_q_p5 * u_p4_cos_q_p4;
-    let ratio_q_P1_u_P4_2_of_u_p4_28 = ratio_q_P1_u_P4_2_of_u_p4_10
-        .mul_add(sin_q_P4, ratio_q_P1_u_P4_2_of_u_p4_27);
-    let ratio_q_P1_u_P4_2_of_u_p4_29 = ratio_q_P1_u_P4_2_of_u_p4_26 + ratio_q_P1_u_P4_2_of_u_p4_28;
-    let ratio_q_P1_u_P4_2_of_u_p4_30 = u_P4
-        * ratio_q_P2_u_P4.mul_add(sin_q_p2_cos_q_p4, cos_q_p2_sin_q_p4);
-    let ratio_q_P1_u_P4_2_of_u_p4_31 = (-cos_q_p2_cos_q_p4)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_5,
-            ratio_q_P1_u_P4_of_place_10 * cos_q_p2_w_rod2_frame_3,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_23 * sin_q_P2 + ratio_q_P1_u_P4_2_of_u_p4_30 * cos_q_P5;
-    let ratio_q_P1_u_P4_2_of_u_p4_32 = (-ratio_q_P1_u_P4_of_place_11)
-        .mul_add(
-            cos_q_p1_w_rod1_frame_2,
-            ratio_q_P1_u_P4_of_place_9 * sin_q_p1_w_rod1_frame_2,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_29 * cos_q_P1 - ratio_q_P1_u_P4_2_of_u_p4_31 * sin_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_33 = (-ratio_q_P1_u_P4_2_of_u_p4_7)
-        .mul_add(sin_q_P1, cos_q_p1_w_rod1_frame_2 * cos_q_P3);
-    let ratio_q_P1_u_P4_2_of_u_p4_34 = ratio_q_P1_u_P4_2_of_u_p4_4 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_place_2 = sin_q_p1_w_rod1_frame_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_35 = ratio_q_P1_u_P4_2_of_place_2 - ratio_q_P1_u_P4_2_of_u_p4_34;
-    let ratio_q_P1_u_P4_2_of_place_3 = cos_q_p2_w_rod2_frame_3 * sin_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_36 = (-(ratio_q_P1_u_P4_2_of_u_p4_4 * sin_q_P2))
-        .mul_add(sin_q_P4, sin_q_p2_sin_q_p3 * u_p4_cos_q_p4)
-        + ratio_q_P1_u_P4_2_of_u_p4_30 + ratio_q_P1_u_P4_2_of_place_3 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_37 = sin_q_p1_w_rod1_frame_2
-        .mul_add(cos_q_P3, ratio_q_P1_u_P4_2_of_u_p4_7 * cos_q_P1);
-    let ratio_q_P1_u_P4_2_of_u_p4_38 = ratio_q_P1_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_5
-        - ratio_q_P1_u_P4_of_place_7 * ratio_q_P1_u_P4_2_of_u_p4
-        + cos_q_P5
-            * ((-ratio_q_P1_u_P4_2_of_u_p4_33)
-                .mul_add(sin_q_P2, cos_q_p3_sin_q_p1 * cos_q_p2_w_rod2_frame_3)
-                + ratio_q_P1_u_P4_2_of_u_p4_35)
-        + sin_q_P5
-            * ((-ratio_q_P1_u_P4_2_of_u_p4_36)
-                .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * u_p4_cos_q_p4)
-                + ratio_q_P1_u_P4_of_place_6 * cos_q_p1_w_rod1_frame_2
-                + ratio_q_P1_u_P4_2_of_u_p4_37 * sin_q_P4);
-    let ratio_q_P1_u_P4_2_of_u_p4_39 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_2)
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_3 * sin_q_P3);
-    let ratio_q_P1_u_P4_2_of_u_p4_40 = ratio_q_P1_u_P4_2_of_u_p4_10 - ratio_q_P1_u_P4_2_of_u_p4_39;
-    let ratio_q_P1_u_P4_2_of_u_p4_41 = (-ratio_q_P1_u_P4_of_place_3)
-        .mul_add(sin_q_p2_w_rod2_frame_3, sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4)
-        + ratio_q_P1_u_P4_of_q_p5_2 * ratio_q_P1_u_P4_2_of_u_p4_14
-        + ratio_q_P1_u_P4_2_of_u_p4_40 * cos_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_42 = (-sin_q_p2_cos_q_p4)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_5,
-            ratio_q_P1_u_P4_of_place_10 * sin_q_p2_w_rod2_frame_3,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_14 * cos_q_P5 - ratio_q_P1_u_P4_2_of_u_p4_23 * cos_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_43 = l_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_42;
-    let ratio_q_P1_u_P4_2_of_u_p4_44 = cos_q_p1_w_rod1_frame_2
-        * (-ratio_q_P1_u_P4_of_place_12)
+    let ratio_q_P2_u_P1_2_of_u_p1_31 = sin_q_P2
+        * ((-ratio_q_P2_u_P1_2_of_u_p1_14)
             .mul_add(
-                ratio_q_P1_u_P4_of_place_85,
-                ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_71,
-            ) + ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_2_of_u_p4_32
-        - l_sin_q_p1
-            * ratio_q_P1_u_P4_of_place_8
-                .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_41,
-                    ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_38,
-                ) - ratio_q_P1_u_P4_of_place_12 * ratio_q_P1_u_P4_2_of_u_p4_43;
-    let ratio_q_P1_u_P4_2_of_u_p4_45 = S::int(2) * u_p4_cos_q_p4 * sin_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_46 = ratio_q_P1_u_P4_2_of_u_p4_45
-        + ratio_q_P1_u_P4_of_q_p4_2 * ratio_q_P1_u_P4_2_of_u_p4
-        - sin_q_P5 * (u_p4_cos_q_p4 + ratio_q_P1_u_P4_2_of_u_p4_45);
-    let ratio_q_P1_u_P4_2_of_u_p4_47 = ratio_q_P1_u_P4_2_of_u_p4_46 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_48 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * ratio_q_P1_u_P4_2_of_u_p4_4;
-    let ratio_q_P1_u_P4_2_of_u_p4_49 = -ratio_q_P1_u_P4_2_of_u_p4 - ratio_q_P1_u_P4_2_of_u_p4_2;
-    let ratio_q_P1_u_P4_2_of_u_p4_50 = (-cos_q_p2_cos_q_p4)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_49,
-            ratio_q_P1_u_P4_of_q_p4_q_p5_4 * ratio_q_P1_u_P4_2_of_u_p4_30,
-        );
-    let ratio_q_P1_u_P4_2_of_u_p4_51 = ratio_q_P1_u_P4_of_q_p4
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_6, ratio_q_P1_u_P4_2_of_u_p4_22);
-    let ratio_q_P1_u_P4_2_of_u_p4_52 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_3)
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_7, ratio_q_P1_u_P4_2_of_u_p4_46 * cos_q_P3);
-    let ratio_q_P1_u_P4_2_of_place_4 = S::int(2) * cos_q_p1_w_rod1_frame_2;
-    let ratio_q_P1_u_P4_2_of_u_p4_53 = ratio_q_P1_u_P4_of_place_28 * cos_q_p1_w_rod1_frame_2
-        - ratio_q_P1_u_P4_of_place_30 * ratio_q_P1_u_P4_2_of_u_p4_34
-        + sin_q_P1
-            * (ratio_q_P1_u_P4_of_place_21 * ratio_q_P1_u_P4_2_of_u_p4_35
-                - ratio_q_P1_u_P4_of_place_27 * cos_q_p2_w_rod2_frame_3
-                - sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_50
-                - sin_q_P2
-                    * (ratio_q_P1_u_P4_of_place_26 * ratio_q_P1_u_P4_2_of_u_p4_7
-                        + ratio_q_P1_u_P4_of_place_19 * ratio_q_P1_u_P4_2_of_place_2
-                        - sin_q_p3_cos_q_p1
-                            * ratio_q_P1_u_P4_2_of_u_p4_48
-                                .mul_add(S::int(2), ratio_q_P1_u_P4_2_of_u_p4_47)
-                        + cos_q_P3
-                            * (sin_q_P1
-                                * (-sin_q_P2
-                                    * (ratio_q_P1_u_P4_of_q_p4
-                                        .mul_add(
-                                            ratio_q_P1_u_P4_2_of_u_p4_10,
-                                            ratio_q_P1_u_P4_2_of_u_p4_27,
-                                        ) + ratio_q_P1_u_P4_2_of_u_p4_47
-                                        + ratio_q_P1_u_P4_2_of_u_p4_48)
-                                    + ratio_q_P1_u_P4_of_place_20 * cos_q_p2_w_rod2_frame_3
-                                    + ratio_q_P1_u_P4_2_of_u_p4_50)
-                                - ratio_q_P1_u_P4_of_place_22 * cos_q_p1_w_rod1_frame_2
-                                - ratio_q_P1_u_P4_of_place_25 * sin_q_p1_w_rod1_frame_2
-                                + cos_q_P1
-                                    * (-ratio_q_P1_u_P4_2_of_u_p4_51)
-                                        .mul_add(S::int(2), ratio_q_P1_u_P4_2_of_u_p4_52))))
-        + sin_q_p3_cos_q_p1 * cos_q_P1
-            * (ratio_q_P1_u_P4_2_of_u_p4_51 - ratio_q_P1_u_P4_2_of_u_p4_52)
-        + ratio_q_P1_u_P4_of_place_29 * sin_q_p3_sin_q_p1 * ratio_q_P1_u_P4_2_of_place_4;
-    let ratio_q_P1_u_P4_2_of_u_p4_54 = ratio_q_P1_u_P4_of_q_p5_2
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_30,
-            cos_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4,
-        );
-    let ratio_q_P1_u_P4_2_of_u_p4_55 = (-ratio_q_P1_u_P4_of_place_3)
-        .mul_add(cos_q_p2_w_rod2_frame_3, ratio_q_P1_u_P4_2_of_u_p4_54)
-        - ratio_q_P1_u_P4_2_of_u_p4_40 * sin_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_56 = ratio_q_P1_u_P4_of_place_13
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_25,
-            l * ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_9,
-        ) + ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_42
-        + ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_2_of_u_p4_44
-        + ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_2_of_u_p4_53
-        + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_55;
-    let ratio_q_P1_u_P4_2_of_u_p4_57 = (-ratio_q_P1_u_P4_of_place_9)
-        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_29 * sin_q_P1)
-        - ratio_q_P1_u_P4_of_place_11 * sin_q_p1_w_rod1_frame_2
-        + ratio_q_P1_u_P4_2_of_u_p4_31 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_58 = ratio_q_P1_u_P4_2_of_u_p4_41 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_59 = ratio_q_P1_u_P4_of_place_4
-        .mul_add(sin_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_58);
-    let ratio_q_P1_u_P4_2_of_u_p4_60 = (-ratio_q_P1_u_P4_2_of_u_p4_8)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_16 * sin_q_p1_w_rod1_frame_2);
-    let ratio_q_P1_u_P4_2_of_place_5 = w_rod2_frame_3 * ratio_q_P1_u_P4_of_place_17;
-    let ratio_q_P1_u_P4_2_of_u_p4_61 = (-ratio_q_P1_u_P4_of_place_62)
-        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_40 * sin_q_P1)
-        + ratio_q_P1_u_P4_2_of_u_p4_60 * sin_q_P2 + ratio_q_P1_u_P4_2_of_place_5 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_62 = l * ratio_q_P1_u_P4_2_of_u_p4_61;
-    let ratio_q_P1_u_P4_2_of_place_6 = ratio_q_P1_u_P4_of_place_13 * cos_q_p1_w_rod1_frame_2;
-    let ratio_q_P1_u_P4_2_of_u_p4_63 = (-ratio_q_P1_u_P4_of_place_60)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_38,
-            ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_u_p4_55,
-        ) - S::int(2) * ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_2_of_u_p4_42
-        - ratio_q_P1_u_P4_of_place_85 * ratio_q_P1_u_P4_2_of_place_6;
-    let ratio_q_P1_u_P4_2_of_place_7 = cos_q_p1_w_rod1_frame_2 * sin_q_P2;
-    let ratio_q_P1_u_P4_2_of_place_8 = (-cos_q_p2_w_rod2_frame_3)
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_2_of_place_7);
-    let ratio_q_P1_u_P4_2_of_u_p4_64 = sin_q_p2_sin_q_p1
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_29, ratio_q_P1_u_P4_2_of_u_p4_24)
-        - ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_place_8;
-    let ratio_q_P1_u_P4_2_of_place_9 = l * ratio_q_P1_u_P4_of_place_84;
-    let ratio_q_P1_u_P4_2_of_u_p4_65 = (-ratio_q_P1_u_P4_of_place_18)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_38,
-            ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_u_p4_9,
-        ) + ratio_q_P1_u_P4_of_place_85 * ratio_q_P1_u_P4_2_of_u_p4_64
-        - ratio_q_P1_u_P4_2_of_u_p4_42 * ratio_q_P1_u_P4_2_of_place_9;
-    let ratio_q_P1_u_P4_2_of_u_p4_66 = (-ratio_q_P1_u_P4_of_place_14)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_9,
-            ratio_q_P1_u_P4_2_of_u_p4_55 * ratio_q_P1_u_P4_2_of_place_9,
-        ) - ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_2_of_u_p4_43
-        - ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_2_of_place_6
-        - ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_2_of_u_p4_64;
-    let ratio_q_P1_u_P4_2_of_u_p4_67 = l * ratio_q_P1_u_P4_2_of_u_p4_57;
-    let ratio_q_P1_u_P4_2_of_u_p4_68 = l * ratio_q_P1_u_P4_2_of_u_p4_59;
-    let ratio_q_P1_u_P4_2_of_u_p4_69 = (-u_P4)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_32,
-            cos_q_p2_sin_q_p4 * ratio_q_P1_u_P4_2_of_u_p4,
-        ) + ratio_q_P1_u_P4_of_q_p4_q_p5 * sin_q_p2_w_rod2_frame_3
-        + ratio_q_P1_u_P4_of_q_p3_q_p5_3 * ratio_q_P1_u_P4_2_of_u_p4_14
-        + sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_16;
-    let ratio_q_P1_u_P4_2_of_u_p4_70 = ratio_q_P1_u_P4_2_of_u_p4
-        .mul_add(cos_q_P4, u_P4 * ratio_q_P1_u_P4_of_q_p4_q_p5);
-    let ratio_q_P1_u_P4_2_of_u_p4_71 = sin_q_p1_l_sq
-        * (ratio_q_P1_u_P4_of_place_49 * u_p4_sin_q_p4
-            - ratio_q_P1_u_P4_of_place_50 * sin_q_p2_w_rod2_frame_3
-            + cos_q_P2
-                * ((-ratio_q_P1_u_P4_of_place_35)
-                    .mul_add(
-                        cos_q_p1_w_rod1_frame_2,
-                        ratio_q_P1_u_P4_2_of_u_p4_13 * sin_q_P1,
-                    ) + ratio_q_P1_u_P4_2_of_u_p4_24)
-            + cos_q_P4
-                * (cos_q_P1
-                    * (ratio_q_P1_u_P4_2_of_u_p4_20
-                        + ratio_q_P1_u_P4_of_q_p2_q_p3 * ratio_q_P1_u_P4_2_of_u_p4_5
-                        + cos_q_P5 * (cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_4))
-                    - sin_q_p2_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_17
-                    - ratio_q_P1_u_P4_of_place_48 * sin_q_p1_w_rod1_frame_2
-                    - ratio_q_P1_u_P4_of_q_p3_q_p5_4 * ratio_q_P1_u_P4_2_of_place_8))
-        + ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_2_of_place;
-    let ratio_q_P1_u_P4_2_of_u_p4_72 = ratio_q_P1_u_P4_of_place_16
-        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_8 * sin_q_P1)
-        + ratio_q_P1_u_P4_of_place_44 * sin_q_p1_w_rod1_frame_2
-        - ratio_q_P1_u_P4_2_of_u_p4_55 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_73 = ratio_q_P1_u_P4_of_place_55 * ratio_q_P1_u_P4_2_of_u_p4
-        + ratio_q_P1_u_P4_of_place_56 * ratio_q_P1_u_P4_2_of_u_p4_5
-        + cos_q_P5
-            * (ratio_q_P1_u_P4_of_place_6
-                .mul_add(sin_q_p1_w_rod1_frame_2, cos_q_p3_sin_q_p1 * u_p4_cos_q_p4)
-                - ratio_q_P1_u_P4_2_of_u_p4_33 * sin_q_P4 + ratio_q_P1_u_P4_2_of_u_p4_36 * cos_q_P1)
-        + sin_q_P5
-            * (cos_q_p1_w_rod1_frame_2
-                .mul_add(sin_q_P3, ratio_q_P1_u_P4_2_of_u_p4_4 * sin_q_P1)
-                + cos_q_p3_cos_q_p1 * cos_q_p2_w_rod2_frame_3
-                + ratio_q_P1_u_P4_2_of_u_p4_37 * sin_q_P2);
-    let ratio_q_P1_u_P4_2_of_u_p4_74 = ratio_q_P5_u_P4_of_place_8
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_38,
-            l * ratio_q_P1_u_P4_of_place_57 * ratio_q_P1_u_P4_2_of_u_p4_32,
-        ) + ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_u_p4_72
-        - ratio_q_P1_u_P4_of_place_58 * ratio_q_P1_u_P4_2_of_u_p4_73;
-    let ratio_q_P1_u_P4_2_of_place_10 = l * ratio_q_P1_u_P4_of_place_59;
-    let ratio_q_P1_u_P4_2_of_u_p4_75 = ratio_q_P1_u_P4_of_place_13
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_71,
-            ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_u_p4_42,
-        ) - ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_2_of_u_p4_74
-        + ratio_q_P1_u_P4_2_of_u_p4_55 * ratio_q_P1_u_P4_2_of_place_10;
-    let ratio_q_P1_u_P4_2_of_u_p4_76 = ratio_q_P1_u_P4_2_of_u_p4_55
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_44 * cos_q_p1_w_rod1_frame_2)
-        - ratio_q_P1_u_P4_2_of_u_p4_60;
-    let ratio_q_P1_u_P4_2_of_u_p4_77 = l * ratio_q_P1_u_P4_2_of_u_p4_76;
-    let ratio_q_P1_u_P4_2_of_u_p4_78 = ratio_q_P1_u_P4_of_place_65
-        * cos_q_p1_w_rod1_frame_2 + ratio_q_P1_u_P4_of_place_67 * sin_q_p1_w_rod1_frame_2
-        + sin_q_P1
-            * ((-ratio_q_P1_u_P4_of_place_36)
-                .mul_add(
-                    sin_q_p2_w_rod2_frame_3,
-                    ratio_q_P1_u_P4_of_place_9 * cos_q_p2_w_rod2_frame_3,
-                ) - ratio_q_P1_u_P4_2_of_u_p4_18 * cos_q_P2
-                - ratio_q_P1_u_P4_of_q_p2 * ratio_q_P1_u_P4_2_of_u_p4_29)
+                sin_q_P3,
+                ratio_q_P2_u_P1_of_q_p4_q_p5_10 * ratio_q_P2_u_P1_2_of_u_p1_16,
+            ) + cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_20
+            + ratio_q_P2_u_P1_of_q_p4_q_p5_11 * ratio_q_P2_u_P1_2_of_u_p1_28)
+        + ratio_q_P2_u_P1_of_place_89 * cos_q_p2_w_rod2_frame_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_32 = ratio_q_P3_u_P1 * u_p1_cos_q_p4;
+    let cos_q_p2_cos_q_p3 = cos_q_P2 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_33 = ratio_q_P2_u_P1_2_of_u_p1_32
+        .mul_add(cos_q_p2_cos_q_p3, ratio_q_P2_u_P1_2_of_u_p1_30 * sin_q_P3);
+    let u_p1_cos_q_p1 = u_P1 * cos_q_P1;
+    let u_p1_sin_q_p1 = u_P1 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_34 = ratio_q_P2_u_P1_of_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_8;
+    let ratio_q_P2_u_P1_2_of_u_p1_35 = ratio_q_P2_u_P1_2_of_u_p1_6 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_36 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_24, ratio_q_P2_u_P1_2_of_u_p1_35 * cos_q_P5);
+    let ratio_q_P2_u_P1_2_of_u_p1_37 = ratio_q_P2_u_P1_2_of_u_p1_25
+        .mul_add(cos_q_P2, ratio_q_P2_u_P1_of_q_p4_q_p5 * sin_q_p2_w_rod2_frame_3);
+    let ratio_q_P2_u_P1_2_of_u_p1_38 = -ratio_q_P2_u_P1_of_place_97
+        * ratio_q_P2_u_P1_2_of_u_p1_22
+            .mul_add(cos_q_P5, ratio_q_P2_u_P1_2_of_u_p1_6 * sin_q_P5)
+        + ratio_q_P2_u_P1_of_place_96 * ratio_q_P2_u_P1_2_of_u_p1_19
+        + ratio_q_P2_u_P1_of_place_95 * u_p1_sin_q_p1
         + cos_q_P1
-            * (-cos_q_P3
-                * (ratio_q_P1_u_P4_2_of_u_p4_30
-                    - ratio_q_P1_u_P4_of_q_p2_q_p4 * ratio_q_P1_u_P4_2_of_u_p4
-                    + sin_q_P5 * (cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_30))
-                + ratio_q_P1_u_P4_of_q_p2_q_p4_2 * ratio_q_P1_u_P4_2_of_u_p4_6
-                + ratio_q_P1_u_P4_of_place_66 * ratio_q_P1_u_P4_2_of_u_p4_7
-                - sin_q_p3_cos_q_p5
-                    * (ratio_q_P1_u_P4_of_q_p2_2
-                        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_2_of_u_p4_30)
-                        + ratio_q_P1_u_P4_2_of_place_3));
-    let ratio_q_P1_u_P4_2_of_u_p4_79 = (-cos_q_p1_l_sq)
+            * (sin_q_P1
+                * (ratio_q_P2_u_P1_2_of_u_p1_14 - S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_21
+                    - ratio_q_P2_u_P1_of_place_87 * sin_q_p2_w_rod2_frame_3
+                    + cos_q_P2
+                        * (-cos_q_P2
+                            * (ratio_q_P2_u_P1_2_of_u_p1
+                                + ratio_q_P2_u_P1_of_q_p4_q_p5_6 * ratio_q_P2_u_P1_2_of_u_p1_3
+                                + sin_q_P4
+                                    * ratio_q_P2_u_P1_2_of_u_p1_5
+                                        .mul_add(S::int(4), ratio_q_P2_u_P1_2_of_u_p1)
+                                - S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_7
+                                - ratio_q_P2_u_P1_2_of_u_p1_21)
+                            + ratio_q_P2_u_P1_of_place_86 * ratio_q_P2_u_P1_2_of_u_p1_24
+                            - ratio_q_P2_u_P1_of_place_85 * sin_q_p2_w_rod2_frame_3
+                            - sin_q_p2_cos_q_p4
+                                * ((-ratio_q_P2_u_P1_of_q_p4_q_p5_13)
+                                    .mul_add(
+                                        ratio_q_P2_u_P1_2_of_u_p1_16,
+                                        ratio_q_P2_u_P1_2_of_u_p1_27 * sin_q_P3,
+                                    )
+                                    + ratio_q_P2_u_P1_of_q_p4_q_p5_14 * ratio_q_P2_u_P1_2_of_u_p1_28
+                                    + cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_29)))
+                + cos_q_P1
+                    * (ratio_q_P2_u_P1_of_place_93 * ratio_q_P2_u_P1_2_of_u_p1_15
+                        - ratio_q_P2_u_P1_of_place_91 * ratio_q_P2_u_P1_2_of_u_p1_19
+                        + cos_q_P3
+                            * ((-ratio_q_P2_u_P1_of_q_p4_q_p5_13)
+                                .mul_add(
+                                    ratio_q_P2_u_P1_2_of_u_p1_30,
+                                    cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_2_of_u_p1_27,
+                                ) + S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_31)
+                        + cos_q_P5
+                            * ((-ratio_q_P2_u_P1_2_of_u_p1_20)
+                                .mul_add(
+                                    sin_q_P2,
+                                    ratio_q_P2_u_P1_of_q_p4_q_p5_11 * cos_q_p2_w_rod2_frame_3,
+                                ) - ratio_q_P2_u_P1_of_place_92 * ratio_q_P2_u_P1_2_of_u_p1_29
+                                + ratio_q_P2_u_P1_of_q_p4_q_p5_14 * ratio_q_P2_u_P1_2_of_u_p1_33))
+                - ratio_q_P2_u_P1_of_place_88 * u_p1_cos_q_p1
+                - ratio_q_P2_u_P1_of_place_94 * u_p1_sin_q_p1)
+        + cos_q_P3
+            * (-ratio_q_P2_u_P1_2_of_u_p1_31
+                + ratio_q_P2_u_P1_of_q_p4_q_p5_15 * ratio_q_P2_u_P1_2_of_u_p1_30
+                - cos_q_p2_cos_q_p4 * (ratio_q_P2_u_P1_2_of_u_p1_26 + ratio_q_P2_u_P1_2_of_u_p1_34))
+        + cos_q_p4_cos_q_p5
+            * ((-ratio_q_P2_u_P1_of_place_23)
+                .mul_add(ratio_q_P2_u_P1_2_of_u_p1_16, ratio_q_P2_u_P1_2_of_u_p1_36)
+                + ratio_q_P2_u_P1_2_of_u_p1_37 * sin_q_P3);
+    let ratio_q_P2_u_P1_2_of_u_p1_39 = ratio_q_P2_u_P1_2_of_u_p1_3 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_40 = sin_q_p2_w_rod2_frame_3
+        .mul_add(sin_q_P4, ratio_q_P2_u_P1_2_of_u_p1_39);
+    let ratio_q_P2_u_P1_2_of_u_p1_41 = ratio_q_P2_u_P1_2_of_u_p1_32 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_42 = ratio_q_P2_u_P1_2_of_u_p1_41
+        .mul_add(cos_q_P3, -ratio_q_P2_u_P1_2_of_u_p1_40);
+    let ratio_q_P2_u_P1_2_of_u_p1_43 = ratio_q_P4_u_P1 * u_p1_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_44 = (-cos_q_p3_sin_q_p4)
         .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_78,
-            w_rod1_frame_2 * sin_q_p1_l_sq * ratio_q_P1_u_P4_of_place_68,
+            ratio_q_P2_u_P1_2_of_u_p1_43,
+            sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_32,
         );
-    let ratio_q_P1_u_P4_2_of_u_p4_80 = (-ratio_q_P1_u_P4_of_place_18)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_74,
-            ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_2_of_u_p4_42,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_9 * ratio_q_P1_u_P4_2_of_place_10
-        - ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_2_of_u_p4_79;
-    let ratio_q_P1_u_P4_2_of_u_p4_81 = (-ratio_q_P1_u_P4_of_place_69)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_55,
-            ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_u_p4_9,
-        ) + ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_2_of_u_p4_71
-        + ratio_q_P1_u_P4_of_place_33 * ratio_q_P1_u_P4_2_of_u_p4_79;
-    let ratio_q_P1_u_P4_2_of_u_p4_82 = ratio_q_P1_u_P4_of_place_76
-        * ((-ratio_q_P1_u_P4_of_place_61)
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_u_p4_62,
-                ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_u_p4_56,
-            ) - ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_67
-            - ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_2_of_u_p4_68
-            + ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_u_p4_75
-            + ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_2_of_u_p4_77
-            + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_u_p4_80
-            - ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_2_of_u_p4_81);
-    let ratio_q_P1_u_P4_2_of_u_p4_83 = (-ratio_q_P1_u_P4_of_place_42)
-        .mul_add(
-            sin_q_p1_w_rod1_frame_2,
-            ratio_q_P1_u_P4_of_q_p4_q_p5_5 * ratio_q_P1_u_P4_2_of_u_p4_33,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_69 * cos_q_P1
-        + cos_q_p3_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_70;
-    let ratio_q_P1_u_P4_2_of_u_p4_84 = ratio_q_P1_u_P4_of_place_77
-        * ratio_q_P1_u_P4_of_place_43
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_83);
-    let ratio_q_P1_u_P4_2_of_u_p4_85 = (-ratio_q_P1_u_P4_2_of_u_p4_2)
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_2_of_u_p4_4)
-        + ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_p2_w_rod2_frame_3
-        + ratio_q_P1_u_P4_2_of_u_p4_54 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_86 = ratio_q_P1_u_P4_of_place_77
-        * ratio_q_P1_u_P4_of_place_81
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_85);
-    let ratio_q_P1_u_P4_2_of_u_p4_87 = (-ratio_q_P1_u_P4_of_place_42)
-        .mul_add(
-            cos_q_p1_w_rod1_frame_2,
-            cos_q_p3_cos_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_70,
-        ) - ratio_q_P1_u_P4_of_q_p4_q_p5_5 * ratio_q_P1_u_P4_2_of_u_p4_37
-        - ratio_q_P1_u_P4_2_of_u_p4_69 * sin_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_88 = ratio_q_P1_u_P4_of_place_77
-        * ratio_q_P1_u_P4_of_place_89
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, ratio_q_P1_u_P4_2_of_u_p4_87);
-    let ratio_q_P1_u_P4_2_of_u_p4_89 = ratio_q_P1_u_P4_2_of_u_p4 + ratio_q_P1_u_P4_2_of_u_p4_10;
-    let ratio_q_P1_u_P4_2_of_u_p4_90 = sin_q_P1
-        * ((-sin_q_p2_cos_q_p4)
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, u_P4 * cos_q_p2_cos_q_p4)
-            - sin_q_p2_w_rod2_frame_3 * sin_q_P4 - ratio_q_P1_u_P4_2_of_u_p4_14 * sin_q_P3)
-        + cos_q_p3_cos_q_p1 * u_p4_sin_q_p4 - ratio_q_P1_u_P4_of_place_94 * cos_q_p1_w_rod1_frame_2
-        - ratio_q_P1_u_P4_2_of_u_p4_37 * cos_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_91 = cos_q_P5
-        * ratio_q_P1_u_P4_of_place_95
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_90);
-    let ratio_q_P1_u_P4_2_of_u_p4_92 = ratio_q_P1_u_P4_of_place_93
-        * ratio_q_P1_u_P4_2_of_u_p4_91
-            .mul_add(
-                cos_q_P5,
-                S::int(2) * ratio_q_P1_u_P4_of_place_95 * ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P5,
-            );
-    let ratio_q_P1_u_P4_2 = ratio_q_P1_u_P4_of_place_82
-        * (ratio_q_P1_u_P4_of_place_64
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_u_p4_44,
-                ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_25,
-            ) - ratio_q_P1_u_P4_of_place_79 * ratio_q_P1_u_P4_2_of_u_p4_53
-            - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_57
-            + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_59
-            - ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_62)
-        - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_56
-        + ratio_q_P1_u_P4_of_place_90
-            * ((-ratio_q_P1_u_P4_of_place_83)
+    let sin_q_p1_u_p1_cos_q_p4 = u_p1_cos_q_p4 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_45 = sin_q_p1_u_p1_cos_q_p4
+        .mul_add(cos_q_P3, ratio_q_P2_u_P1_2_of_u_p1_44);
+    let ratio_q_P2_u_P1_2_of_u_p1_46 = cos_q_P5
+        * (sin_q_P1
+            * ratio_q_P2_u_P1_2_of_u_p1_24
+                .mul_add(sin_q_P3, ratio_q_P2_u_P1_2_of_u_p1_42)
+            + ratio_q_P2_u_P1_of_place_9 * u_p1_cos_q_p1 + ratio_q_P2_u_P1_2_of_u_p1_45)
+        - ratio_q_P2_u_P1_of_place_11 * ratio_q_P2_u_P1_2_of_u_p1_15;
+    let ratio_q_P2_u_P1_2_of_u_p1_47 = ratio_q_P2_u_P1_2_of_u_p1_6 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_48 = (-ratio_q_P2_u_P1_2_of_u_p1_25)
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_q_p4_q_p5 * cos_q_p2_w_rod2_frame_3)
+        - ratio_q_P2_u_P1_of_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1_33
+        + sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_47;
+    let ratio_q_P2_u_P1_2_of_u_p1_49 = ratio_q_P2_u_P1_2_of_u_p1 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_50 = sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_51 = (-ratio_q_P2_u_P1_2_of_u_p1_19)
+        .mul_add(sin_q_P5, ratio_q_P2_u_P1_2_of_u_p1_18 * sin_q_P4)
+        - ratio_q_P2_u_P1_2_of_u_p1_49 - ratio_q_P2_u_P1_2_of_u_p1_50;
+    let ratio_q_P2_u_P1_2_of_u_p1_52 = (-ratio_q_P2_u_P1_of_place_6)
+        .mul_add(sin_q_p2_w_rod2_frame_3, ratio_q_P2_u_P1_2_of_u_p1_24 * cos_q_P5)
+        + ratio_q_P2_u_P1_2_of_u_p1_35 * sin_q_P5 + ratio_q_P2_u_P1_2_of_u_p1_51 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_53 = u_p1_cos_q_p1
+        .mul_add(sin_q_P2, w_rod2_frame_3 * cos_q_p2_sin_q_p1);
+    let sin_q_p3_u_p1_sin_q_p1 = u_p1_sin_q_p1 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_54 = ratio_q_P2_u_P1_2_of_u_p1_16 * cos_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_55 = sin_q_P4
+        * cos_q_p2_w_rod2_frame_3
+            .mul_add(sin_q_P3, ratio_q_P2_u_P1_2_of_u_p1_16 * sin_q_P2)
+        - sin_q_p2_sin_q_p3 * ratio_q_P2_u_P1_2_of_u_p1_3 - ratio_q_P2_u_P1_2_of_u_p1_30;
+    let cos_q_p3_u_p1_sin_q_p1 = u_p1_sin_q_p1 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_56 = ratio_q_P2_u_P1_2_of_u_p1_19
+        .mul_add(cos_q_P1, cos_q_p3_u_p1_sin_q_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_57 = ratio_q_P2_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_15
+        - ratio_q_P2_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1
+        + cos_q_P5
+            * ((-sin_q_p2_sin_q_p1)
                 .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_62,
-                    ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_u_p4_63,
-                ) + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_u_p4_65
-                - ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_2_of_u_p4_66
-                + ratio_q_P1_u_P4_of_place_87 * ratio_q_P1_u_P4_2_of_u_p4_67
-                - ratio_q_P1_u_P4_of_place_86 * ratio_q_P1_u_P4_2_of_u_p4_68)
-        + ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_2_of_u_p4_84
-        + ratio_q_P1_u_P4_of_place_80 * ratio_q_P1_u_P4_2_of_u_p4_86
-        - ratio_q_P1_u_P4_of_place_88 * ratio_q_P1_u_P4_2_of_u_p4_88
-        + ratio_q_P1_u_P4_of_place_98
-            * (ratio_q_P1_u_P4_2_of_u_p4_4 - ratio_q_P1_u_P4_of_place_91 * u_p4_cos_q_p4
-                + sin_q_P4
-                    * ((-ratio_q_P1_u_P4_of_q_p4_q_p5_6)
-                        .mul_add(
-                            ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_2,
-                        ) - ratio_q_P1_u_P4_2_of_u_p4_10 + ratio_q_P1_u_P4_2_of_u_p4_49 * sin_q_P3)
-                - ratio_q_P1_u_P4_2_of_u_p4_89)
-        - ratio_q_P1_u_P4_of_place_92 * ratio_q_P1_u_P4_2_of_u_p4_92;
-    let alpha_rod1_frame_2 = u_P4 * ratio_q_P1_u_P4_2;
-    let a_rod1_centre_3 = l * alpha_rod1_frame_2;
-    let x_rod1_frame_3 = m * a_rod1_centre_3;
-    let m_l_sq = m * l_sq;
-    let x_rod1_frame_2_2 = alpha_rod1_frame_2 * m_l_sq;
-    let w_rod1_frame_in_rod2_frame_1 = w_rod1_frame_2 * sin_q_P2;
-    let w_rod1_frame_in_rod2_frame_2 = w_rod1_frame_2 * cos_q_P2;
-    let ratio_q_P2_u_P4_2_of_u_p4 = (-ratio_q_P1_u_P4_of_place_63)
+                    ratio_q_P2_u_P1_2_of_u_p1_19,
+                    ratio_q_P2_u_P1_2_of_u_p1_53 * cos_q_P3,
+                ) - sin_q_p3_u_p1_sin_q_p1 + ratio_q_P2_u_P1_2_of_u_p1_54)
+        - sin_q_P5
+            * (ratio_q_P2_u_P1_of_place_3
+                .mul_add(u_p1_cos_q_p1, cos_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_3)
+                + ratio_q_P2_u_P1_2_of_u_p1_55 * sin_q_P1
+                + ratio_q_P2_u_P1_2_of_u_p1_56 * sin_q_P4);
+    let ratio_q_P2_u_P1_2_of_u_p1_58 = ratio_q_P2_u_P1_of_place_5
         .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_42,
-            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_2_of_u_p4_61,
-        );
-    let ratio_q_P2_u_P4_2_of_u_p4_2 = (-ratio_q_P1_u_P4_of_place_17)
+            ratio_q_P2_u_P1_2_of_u_p1_48,
+            ratio_q_P2_u_P1_of_place_8 * ratio_q_P2_u_P1_2_of_u_p1_46,
+        ) - ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_u_p1_52
+        - ratio_q_P2_u_P1_of_place_27 * ratio_q_P2_u_P1_2_of_u_p1_57;
+    let ratio_q_P2_u_P1_2_of_u_p1_59 = ratio_q_P2_u_P1_2_of_u_p1 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_60 = ratio_q_P2_u_P1_2_of_u_p1_16 * sin_q_P5;
+    let ratio_q_P2_u_P1_2_of_u_p1_61 = cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_62 = ratio_q_P2_u_P1_2_of_u_p1_28
+        .mul_add(sin_q_P4, -ratio_q_P2_u_P1_2_of_u_p1_59) + ratio_q_P2_u_P1_2_of_u_p1_60
+        + ratio_q_P2_u_P1_2_of_u_p1_61;
+    let ratio_q_P2_u_P1_2_of_u_p1_63 = (-ratio_q_P2_u_P1_2_of_u_p1_51)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_6 * u_p1_sin_q_p1)
+        - ratio_q_P2_u_P1_of_place_19 * ratio_q_P2_u_P1_2_of_u_p1_53
+        + sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_62;
+    let ratio_q_P2_u_P1_2_of_u_p1_64 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_2)
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_19, ratio_q_P2_u_P1_2_of_u_p1_18)
+        - ratio_q_P2_u_P1_2_of_u_p1_25 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_65 = ratio_q_P2_u_P1_2_of_u_p1_64 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_place = ratio_q_P2_u_P1_of_place_16 * sin_q_p2_w_rod2_frame_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_66 = ratio_q_P2_u_P1_2_of_place - ratio_q_P2_u_P1_2_of_u_p1_65;
+    let ratio_q_P2_u_P1_2_of_place_2 = l * ratio_q_P2_u_P1_of_place_20;
+    let ratio_q_P2_u_P1_2_of_u_p1_67 = (-ratio_q_P2_u_P1_of_place_66)
         .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_57,
-            ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_9,
+            ratio_q_P2_u_P1_2_of_u_p1_57,
+            ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_2_of_u_p1_66,
+        ) - ratio_q_P2_u_P1_of_place_8 * ratio_q_P2_u_P1_2_of_u_p1_63
+        + ratio_q_P2_u_P1_2_of_u_p1_52 * ratio_q_P2_u_P1_2_of_place_2;
+    let ratio_q_P2_u_P1_2_of_u_p1_68 = ratio_q_P2_u_P1_of_place_27
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_63,
+            ratio_q_P2_u_P1_of_place_66 * ratio_q_P2_u_P1_2_of_u_p1_46,
+        ) + ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_u_p1_66
+        + ratio_q_P2_u_P1_2_of_u_p1_48 * ratio_q_P2_u_P1_2_of_place_2;
+    let ratio_q_P2_u_P1_2_of_u_p1_69 = (-ratio_q_P2_u_P1_2_of_u_p1_25)
+        .mul_add(sin_q_P3, ratio_q_P2_u_P1_of_q_p4_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1_16)
+        + ratio_q_P2_u_P1_2_of_u_p1_28;
+    let ratio_q_P2_u_P1_2_of_u_p1_70 = (-ratio_q_P2_u_P1_2_of_u_p1_64)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_16 * u_p1_sin_q_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_71 = ratio_q_P2_u_P1 * u_p1_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_72 = l
+        * ((-ratio_q_P2_u_P1_of_place_15)
+            .mul_add(u_p1_cos_q_p1, ratio_q_P2_u_P1_2_of_u_p1_69 * sin_q_P1)
+            + ratio_q_P2_u_P1_2_of_u_p1_70 * sin_q_P2
+            - ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_2_of_u_p1_71);
+    let ratio_q_P2_u_P1_2_of_u_p1_73 = (-sin_q_p3_cos_q_p5)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_35,
+            ratio_q_P2_u_P1_of_q_p3_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_24,
+        ) - ratio_q_P2_u_P1_2_of_u_p1_37
+        + ratio_q_P2_u_P1_of_q_p3_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1_41;
+    let ratio_q_P2_u_P1_2_of_u_p1_74 = cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_6;
+    let ratio_q_P2_u_P1_2_of_u_p1_75 = l
+        * (ratio_q_P2_u_P1_of_place_24 * u_p1_sin_q_p1
+            - ratio_q_P2_u_P1_of_q_p5_2 * cos_q_p3_cos_q_p1 * u_p1_cos_q_p4
+            - ratio_q_P4_u_P1 * ratio_q_P2_u_P1_of_q_p4_q_p5 * cos_q_p3_u_p1_sin_q_p1
+            - ratio_q_P2_u_P1_2_of_u_p1_73 * cos_q_P1
+            + sin_q_P1
+                * ratio_q_P2_u_P1_of_q_p3_q_p5
+                    .mul_add(
+                        ratio_q_P2_u_P1_2_of_u_p1_32, ratio_q_P2_u_P1_2_of_u_p1_74,
+                    ));
+    let ratio_q_P2_u_P1_2_of_u_p1_76 = (-ratio_q_P2_u_P1_2_of_u_p1_30)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_6 * cos_q_p2_w_rod2_frame_3)
+        - ratio_q_P2_u_P1_2_of_u_p1_47 * sin_q_P5 + ratio_q_P2_u_P1_2_of_u_p1_51 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_77 = l
+        * ((-ratio_q_P2_u_P1_2_of_u_p1_62)
+            .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_19 * u_p1_cos_q_p1)
+            + ratio_q_P2_u_P1_of_place_29 * u_p1_sin_q_p1
+            + ratio_q_P2_u_P1_2_of_u_p1_76 * cos_q_P1);
+    let ratio_q_P2_u_P1_2_of_u_p1_78 = ratio_q_P2_u_P1_of_place_32
+        .mul_add(
+            cos_q_p2_w_rod2_frame_3,
+            ratio_q_P2_u_P1_of_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1_30,
+        ) - ratio_q_P2_u_P1_2_of_u_p1_47 * cos_q_P5 - ratio_q_P2_u_P1_2_of_u_p1_69 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_79 = (-ratio_q_P2_u_P1_of_place_29)
+        .mul_add(u_p1_cos_q_p1, ratio_q_P2_u_P1_of_place_19 * u_p1_sin_q_p1)
+        + ratio_q_P2_u_P1_2_of_u_p1_62 * cos_q_P1 + ratio_q_P2_u_P1_2_of_u_p1_76 * sin_q_P1;
+    let cos_q_p2_u_p1_cos_q_p1 = u_p1_cos_q_p1 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_80 = sin_q_p2_w_rod2_frame_3
+        .mul_add(sin_q_P1, -cos_q_p2_u_p1_cos_q_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_81 = l * ratio_q_P2_u_P1_2_of_u_p1_52;
+    let ratio_q_P2_u_P1_2_of_u_p1_82 = ratio_q_P2_u_P1_of_place_8 * u_p1_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_83 = ratio_q_P2_u_P1_2_of_u_p1_81
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_2_of_u_p1_82);
+    let ratio_q_P2_u_P1_2_of_u_p1_84 = ratio_q_P2_u_P1_of_place_32
+        .mul_add(sin_q_p2_w_rod2_frame_3, -ratio_q_P2_u_P1_2_of_u_p1_36)
+        + ratio_q_P2_u_P1_2_of_u_p1_69 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_85 = ratio_q_P2_u_P1_of_place_81
+        * ratio_q_P2_u_P1_2_of_u_p1_57 * sin_q_P1
+        + ratio_q_P2_u_P1_of_place_42 * ratio_q_P2_u_P1_2_of_u_p1_79
+        - ratio_q_P2_u_P1_of_place_37 * ratio_q_P2_u_P1_2_of_u_p1_83
+        + ratio_q_P2_u_P1_of_place_5
+            * (-ratio_q_P2_u_P1_2_of_u_p1_84)
+                .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_41 * u_p1_cos_q_p1);
+    let ratio_q_P2_u_P1_2_of_place_3 = l * ratio_q_P2_u_P1_of_place_43;
+    let ratio_q_P2_u_P1_2_of_place_4 = ratio_q_P2_u_P1_of_place_7 * l_sq;
+    let ratio_q_P2_u_P1_2_of_u_p1_86 = ratio_q_P2_u_P1_of_q_p5_2
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_19, ratio_q_P2_u_P1_2_of_u_p1_49);
+    let ratio_q_P2_u_P1_2_of_u_p1_87 = ratio_q_P2_u_P1_of_q_p3
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_15, ratio_q_P2_u_P1_2_of_u_p1_17)
+        + ratio_q_P2_u_P1_2_of_u_p1_86;
+    let ratio_q_P2_u_P1_2_of_u_p1_88 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_16, ratio_q_P2_u_P1_2_of_u_p1_59);
+    let ratio_q_P2_u_P1_2_of_u_p1_89 = ratio_q_P2_u_P1_of_q_p4_q_p5
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_80,
+            cos_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_25,
         );
-    let ratio_q_P2_u_P4_2_of_u_p4_3 = sin_q_P4
-        * ratio_q_P1_u_P4_of_q_p5_2
-            .mul_add(
-                cos_q_p2_w_rod2_frame_3,
-                ratio_q_P1_u_P4_of_q_p2 * ratio_q_P1_u_P4_2_of_u_p4,
-            ) - ratio_q_P2_u_P4_of_q_p2_q_p5 * u_p4_cos_q_p4;
-    let ratio_q_P2_u_P4_2_of_u_p4_4 = cos_q_p2_w_rod2_frame_3 - ratio_q_P2_u_P4_2_of_u_p4_3;
-    let ratio_q_P2_u_P4_2 = ratio_q_P1_u_P4_of_place_82
-        * ((-ratio_q_P1_u_P4_of_place_69)
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_u_p4_57,
-                l_sq * ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_2_of_u_p4_53,
-            ) - ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_u_p4_74
-            - ratio_q_P1_u_P4_2_of_u_p4_61 * ratio_q_P1_u_P4_2_of_place_10
-            + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_76
-            - ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_79)
-        - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_80
-        + ratio_q_P1_u_P4_of_place_70 * ratio_q_P1_u_P4_2_of_u_p4_84
-        - ratio_q_P2_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_86
-        + ratio_q_P2_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_88
-        - ratio_q_P2_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_u_p4_92
-        + ratio_q_P1_u_P4_of_place_90
-            * (l_sq * ratio_q_P2_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_73
-                - ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_u_p4_65
-                - ratio_q_P1_u_P4_of_place_86 * ratio_q_P1_u_P4_2_of_u_p4_77
-                - ratio_q_P2_u_P4_of_place_3
-                    * (ratio_q_P2_u_P4_2_of_u_p4 + ratio_q_P2_u_P4_2_of_u_p4_2))
-        + ratio_q_P1_u_P4_of_place_98
-            * (ratio_q_P2_u_P4_of_q_p2_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_6
-                - ratio_q_P2_u_P4_of_place_8 * ratio_q_P1_u_P4_2_of_u_p4_7
-                + sin_q_p3_cos_q_p5
-                    * (cos_q_p2_cos_q_p4 * (u_P4 + w_rod2_frame_3)
-                        - ratio_q_P1_u_P4_of_q_p4 * sin_q_p2_w_rod2_frame_3
-                        - ratio_q_P1_u_P4_of_q_p2_2 * u_p4_sin_q_p4)
-                + cos_q_P3
-                    * (cos_q_P2
-                        * (-ratio_q_P1_u_P4_of_q_p4)
+    let ratio_q_P2_u_P1_2_of_u_p1_90 = cos_q_p2_sin_q_p1
+        * (ratio_q_P2_u_P1_of_place_48
+            * u_p1_cos_q_p1.mul_add(cos_q_P5, ratio_q_P2_u_P1_2_of_u_p1_15 * sin_q_P1)
+            - ratio_q_P2_u_P1_of_place_46 * ratio_q_P2_u_P1_2_of_u_p1_19
+            - cos_q_p5_sin_q_p1
+                * (ratio_q_P2_u_P1_2_of_u_p1_40
+                    + ratio_q_P2_u_P1_of_place_47 * ratio_q_P2_u_P1_2_of_u_p1_16
+                    + sin_q_P3
+                        * ratio_q_P2_u_P1_of_q_p3
                             .mul_add(
-                                ratio_q_P1_u_P4_2_of_u_p4,
-                                ratio_q_P2_u_P4_of_q_p5 * u_p4_cos_q_p4,
-                            ) - ratio_q_P2_u_P4_of_q_p4_q_p5 * sin_q_p2_w_rod2_frame_3
-                        + ratio_q_P2_u_P4_of_place_7 * u_p4_sin_q_p4
-                        + cos_q_P4
-                            * (ratio_q_P1_u_P4_2_of_u_p4_54 - ratio_q_P2_u_P4_2_of_u_p4_4)));
+                                ratio_q_P2_u_P1_2_of_u_p1_24, ratio_q_P2_u_P1_2_of_u_p1_42,
+                            ))
+            - cos_q_P3
+                * (cos_q_P4
+                    * ((-ratio_q_P2_u_P1_of_q_p3_q_p5_4)
+                        .mul_add(
+                            u_p1_sin_q_p1,
+                            sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_88,
+                        ) - ratio_q_P2_u_P1_of_q_p3_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_53
+                        - ratio_q_P2_u_P1_2_of_u_p1_87 * cos_q_P1)
+                    - ratio_q_P2_u_P1_of_place_44 * ratio_q_P2_u_P1_2_of_u_p1_22
+                    + ratio_q_P2_u_P1_2_of_u_p1_89));
+    let ratio_q_P2_u_P1_2_of_u_p1_91 = ratio_q_P2_u_P1_of_place_50 * ratio_q_P2_u_P1_2_of_u_p1_52
+        + l * ratio_q_P2_u_P1_of_place_38 * ratio_q_P2_u_P1_2_of_u_p1_78
+        + ratio_q_P2_u_P1_of_place_39
+            * (l
+                * ratio_q_P2_u_P1_of_place_36
+                    .mul_add(
+                        ratio_q_P2_u_P1_2_of_u_p1_57,
+                        ratio_q_P2_u_P1_of_place_37 * ratio_q_P2_u_P1_2_of_u_p1_46,
+                    )
+                + ratio_q_P2_u_P1_of_place_5
+                    * (ratio_q_P2_u_P1_of_q_p5_2
+                        .mul_add(
+                            ratio_q_P2_u_P1_2_of_u_p1_45,
+                            ratio_q_P2_u_P1_of_place_24 * u_p1_cos_q_p1,
+                        ) + ratio_q_P2_u_P1_2_of_u_p1_73 * sin_q_P1
+                        + ratio_q_P2_u_P1_2_of_u_p1_74 * cos_q_P1)
+                + ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_u_p1_79)
+        - ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_of_place_49 * ratio_q_P2_u_P1_2_of_u_p1_80
+        + ratio_q_P2_u_P1_of_place_27 * ratio_q_P2_u_P1_2_of_u_p1_85
+        - ratio_q_P2_u_P1_2_of_u_p1_48 * ratio_q_P2_u_P1_2_of_place_3
+        + ratio_q_P2_u_P1_2_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_90;
+    let ratio_q_P2_u_P1_2_of_u_p1_92 = S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_4;
+    let ratio_q_P2_u_P1_2_of_u_p1_93 = ratio_q_P2_u_P1_2_of_u_p1_92
+        - ratio_q_P2_u_P1_of_q_p4_2 * ratio_q_P2_u_P1_2_of_u_p1
+        - sin_q_P5 * (ratio_q_P2_u_P1_2_of_u_p1_3 + ratio_q_P2_u_P1_2_of_u_p1_92);
+    let ratio_q_P2_u_P1_2_of_u_p1_94 = ratio_q_P2_u_P1_2_of_u_p1_93 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_95 = ratio_q_P2_u_P1_of_q_p4_q_p5_3
+        * ratio_q_P2_u_P1_2_of_u_p1_16;
+    let ratio_q_P2_u_P1_2_of_u_p1_96 = ratio_q_P2_u_P1_2_of_u_p1 + ratio_q_P2_u_P1_2_of_u_p1_25;
+    let ratio_q_P2_u_P1_2_of_u_p1_97 = cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_2_of_u_p1_96;
+    let ratio_q_P2_u_P1_2_of_u_p1_98 = ratio_q_P2_u_P1_of_q_p4
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_18, -ratio_q_P2_u_P1_2_of_u_p1_50);
+    let ratio_q_P2_u_P1_2_of_u_p1_99 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_3)
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_19, ratio_q_P2_u_P1_2_of_u_p1_93 * cos_q_P3);
+    let ratio_q_P2_u_P1_2_of_u_p1_100 = ratio_q_P2_u_P1_2_of_u_p1_28 + ratio_q_P2_u_P1_2_of_u_p1_88;
+    let ratio_q_P2_u_P1_2_of_u_p1_101 = cos_q_P1
+        * (ratio_q_P2_u_P1_2_of_u_p1_18 + ratio_q_P2_u_P1_2_of_u_p1_86);
+    let ratio_q_P2_u_P1_2_of_place_5 = ratio_q_P2_u_P1_of_q_p3_q_p5_7 * sin_q_P4;
+    let ratio_q_P2_u_P1_2_of_u_p1_102 = ratio_q_P2_u_P1_of_q_p3_q_p5_7 * sin_q_p1_u_p1_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_u_p1_103 = ratio_q_P2_u_P1_2_of_u_p1_71
+        .mul_add(sin_q_P2, u_p1_sin_q_p1 * cos_q_P2);
+    let ratio_q_P2_u_P1_2_of_u_p1_104 = sin_q_P1
+        * (ratio_q_P2_u_P1_of_place_70 * cos_q_p2_w_rod2_frame_3
+            - cos_q_p2_cos_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_51
+            + sin_q_P2
+                * (sin_q_P1
+                    * (cos_q_P2
+                        * (ratio_q_P2_u_P1_of_q_p3_q_p5_5 * ratio_q_P2_u_P1_2_of_u_p1_3
+                            - ratio_q_P2_u_P1_of_q_p3 * ratio_q_P2_u_P1_2_of_u_p1
+                            + sin_q_P4 * (ratio_q_P2_u_P1_2_of_u_p1 + ratio_q_P2_u_P1_2_of_u_p1_28)
+                            + ratio_q_P2_u_P1_2_of_u_p1_60)
+                        - ratio_q_P2_u_P1_of_q_p3_q_p5_6 * ratio_q_P2_u_P1_2_of_u_p1_24
+                        - ratio_q_P2_u_P1_of_place_67 * sin_q_p2_w_rod2_frame_3
+                        + sin_q_p2_cos_q_p4 * ratio_q_P2_u_P1_2_of_u_p1_100)
+                    + ratio_q_P2_u_P1_of_place_68 * u_p1_cos_q_p1
+                    - ratio_q_P2_u_P1_2_of_u_p1_101 * cos_q_P4
+                    - ratio_q_P2_u_P1_2_of_u_p1_43 * ratio_q_P2_u_P1_2_of_place_5
+                    + ratio_q_P2_u_P1_2_of_u_p1_102)
+            + ratio_q_P2_u_P1_of_place_6 * ratio_q_P2_u_P1_2_of_u_p1_103)
+        + ratio_q_P2_u_P1_of_place_71 * u_p1_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_105 = l_sq * ratio_q_P2_u_P1_2_of_u_p1_78;
+    let ratio_q_P2_u_P1_2_of_u_p1_106 = ratio_q_P2_u_P1_of_place_72 * ratio_q_P2_u_P1_2_of_u_p1_52
+        - ratio_q_P2_u_P1_of_place_66 * ratio_q_P2_u_P1_2_of_u_p1_85
+        + ratio_q_P2_u_P1_2_of_u_p1_66 * ratio_q_P2_u_P1_2_of_place_3
+        + ratio_q_P2_u_P1_of_place_65
+            * (-u_p1_cos_q_p1
+                * (ratio_q_P2_u_P1_of_place_62 * sin_q_p3_sin_q_p1)
+                    .mul_add(S::int(2), ratio_q_P2_u_P1_of_place_61)
+                + ratio_q_P2_u_P1_of_place_63 * ratio_q_P2_u_P1_2_of_u_p1_54
+                - sin_q_P1
+                    * (ratio_q_P2_u_P1_of_q_p4_q_p5_4
+                        * (-ratio_q_P2_u_P1_2_of_u_p1_33)
+                            .mul_add(
+                                cos_q_P1,
+                                cos_q_p2_sin_q_p1 * u_p1_cos_q_p4 * sin_q_P3,
+                            ) + ratio_q_P2_u_P1_of_place_60 * cos_q_p2_w_rod2_frame_3
+                        + sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_97
+                        + sin_q_P2
+                            * (sin_q_p3_cos_q_p1
+                                * ratio_q_P2_u_P1_2_of_u_p1_95
+                                    .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1_94)
+                                - ratio_q_P2_u_P1_of_place_59 * ratio_q_P2_u_P1_2_of_u_p1_19
+                                - ratio_q_P2_u_P1_of_place_52 * sin_q_p3_u_p1_sin_q_p1
+                                + cos_q_P3
+                                    * (ratio_q_P2_u_P1_of_place_55 * u_p1_cos_q_p1
+                                        + ratio_q_P2_u_P1_of_place_58 * u_p1_sin_q_p1
+                                        + sin_q_P1
+                                            * (ratio_q_P2_u_P1_of_place_53 * cos_q_p2_w_rod2_frame_3
+                                                - ratio_q_P2_u_P1_of_q_p4_q_p5_4
+                                                    * ratio_q_P2_u_P1_2_of_u_p1_30
+                                                + sin_q_P2
+                                                    * (ratio_q_P2_u_P1_of_q_p4
+                                                        .mul_add(
+                                                            ratio_q_P2_u_P1_2_of_u_p1_28,
+                                                            ratio_q_P2_u_P1_2_of_u_p1_61,
+                                                        ) + ratio_q_P2_u_P1_2_of_u_p1_94
+                                                        + ratio_q_P2_u_P1_2_of_u_p1_95)
+                                                + ratio_q_P2_u_P1_2_of_u_p1_97)
+                                        - cos_q_P1
+                                            * ratio_q_P2_u_P1_2_of_u_p1_98
+                                                .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1_99))))
+                + sin_q_p3_cos_q_p1 * cos_q_P1
+                    * (ratio_q_P2_u_P1_2_of_u_p1_98 + ratio_q_P2_u_P1_2_of_u_p1_99))
+        + ratio_q_P2_u_P1_2_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_104
+        - ratio_q_P2_u_P1_of_place_64 * ratio_q_P2_u_P1_2_of_u_p1_105;
+    let ratio_q_P2_u_P1_2_of_u_p1_107 = ratio_q_P2_u_P1_of_place_50
+        * (-ratio_q_P2_u_P1_2_of_place).mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1_65)
+        - ratio_q_P2_u_P1_of_place_72 * ratio_q_P2_u_P1_2_of_u_p1_48
+        + ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_of_place_49 * cos_q_p2_u_p1_cos_q_p1
+        + ratio_q_P2_u_P1_of_place_65
+            * (ratio_q_P2_u_P1_of_place_78 * u_p1_cos_q_p1
+                - ratio_q_P2_u_P1_of_place_10 * ratio_q_P2_u_P1_2_of_u_p1_101
+                + ratio_q_P2_u_P1_of_place_69 * ratio_q_P2_u_P1_2_of_u_p1_44
+                + S::int(2) * cos_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_102
+                - sin_q_P1
+                    * (ratio_q_P2_u_P1_of_place_69 * ratio_q_P2_u_P1_2_of_u_p1_39
+                        - ratio_q_P2_u_P1_of_place_77 * cos_q_p2_w_rod2_frame_3
+                        + sin_q_P2
+                            * (cos_q_p3_cos_q_p5
+                                * (cos_q_p2_sin_q_p1
+                                    .mul_add(
+                                        ratio_q_P2_u_P1_2_of_u_p1_3, -ratio_q_P2_u_P1_2_of_u_p1_45,
+                                    ) + ratio_q_P2_u_P1_2_of_u_p1_80 * sin_q_P4)
+                                - ratio_q_P2_u_P1_of_place_75 * ratio_q_P2_u_P1_2_of_u_p1_16
+                                - ratio_q_P2_u_P1_of_place_76 * ratio_q_P2_u_P1_2_of_u_p1_28
+                                + sin_q_P3
+                                    * (ratio_q_P2_u_P1_2_of_u_p1_89
+                                        - ratio_q_P2_u_P1_of_place_74 * ratio_q_P2_u_P1_2_of_u_p1_22
+                                        + cos_q_P4
+                                            * (ratio_q_P2_u_P1_of_q_p3_q_p5_8 * u_p1_sin_q_p1
+                                                - ratio_q_P2_u_P1_of_q_p3_q_p5_6
+                                                    * ratio_q_P2_u_P1_2_of_u_p1_53
+                                                - cos_q_P1
+                                                    * ratio_q_P2_u_P1_2_of_u_p1_86
+                                                        .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1_18)
+                                                + sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_100)))
+                        - cos_q_p2_sin_q_p4 * ratio_q_P2_u_P1_2_of_u_p1_101
+                        + ratio_q_P2_u_P1_2_of_place_5 * ratio_q_P2_u_P1_2_of_u_p1_103))
+        + l_sq
+            * ratio_q_P2_u_P1_of_place
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_u_p1_104,
+                    ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_2_of_u_p1_90,
+                ) + ratio_q_P2_u_P1_of_place_79 * ratio_q_P2_u_P1_2_of_u_p1_105;
+    let ratio_q_P2_u_P1_2_of_u_p1_108 = l
+        * ratio_q_P2_u_P1_2_of_u_p1_84
+            .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_41 * u_p1_sin_q_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_109 = ratio_q_P2_u_P1_of_place_100
+        * ((-ratio_q_P2_u_P1_of_place_51)
+            .mul_add(
+                ratio_q_P2_u_P1_2_of_u_p1_72,
+                l_sq * ratio_q_P2_u_P1_of_place_82 * ratio_q_P2_u_P1_2_of_u_p1_38,
+            ) + ratio_q_P2_u_P1_of_place_73 * ratio_q_P2_u_P1_2_of_u_p1_75
+            - ratio_q_P2_u_P1_of_place_80 * ratio_q_P2_u_P1_2_of_u_p1_77
+            + ratio_q_P2_u_P1_of_place_18 * ratio_q_P2_u_P1_2_of_u_p1_91
+            + ratio_q_P2_u_P1_of_place_25 * ratio_q_P2_u_P1_2_of_u_p1_106
+            - ratio_q_P2_u_P1_of_place_30 * ratio_q_P2_u_P1_2_of_u_p1_107
+            + ratio_q_P2_u_P1_of_place_99 * ratio_q_P2_u_P1_2_of_u_p1_108);
+    let ratio_q_P2_u_P1_2_of_u_p1_110 = ratio_q_P2_u_P1_of_place_103 * ratio_q_P2_u_P1_2_of_u_p1
+        + ratio_q_P2_u_P1_of_place_104 * ratio_q_P2_u_P1_2_of_u_p1_15
+        + cos_q_P5
+            * (-sin_q_P1
+                * ratio_q_P2_u_P1_2_of_u_p1_19
+                    .mul_add(sin_q_P4, ratio_q_P2_u_P1_2_of_u_p1_3 * cos_q_P3)
+                + cos_q_p3_sin_q_p4 * u_p1_cos_q_p1 - ratio_q_P2_u_P1_of_place_3 * u_p1_sin_q_p1
+                + ratio_q_P2_u_P1_2_of_u_p1_55 * cos_q_P1)
+        + sin_q_P5
+            * ((-ratio_q_P2_u_P1_2_of_u_p1_16)
+                .mul_add(sin_q_P1, cos_q_p2_cos_q_p3 * ratio_q_P2_u_P1_2_of_u_p1_71)
+                - u_p1_cos_q_p1 * sin_q_P3 - ratio_q_P2_u_P1_2_of_u_p1_56 * sin_q_P2);
+    let ratio_q_P2_u_P1_2_of_u_p1_111 = ratio_q_P2_u_P1_of_place_106
+        * ratio_q_P2_u_P1_of_place_105
+            .mul_add(ratio_q_P2_u_P1_2_of_u_p1_109, -ratio_q_P2_u_P1_2_of_u_p1_110);
+    let ratio_q_P2_u_P1_2_of_u_p1_112 = ratio_q_P2_u_P1_2_of_u_p1_111
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_107 * ratio_q_P2_u_P1_2_of_u_p1_15);
+    let ratio_q_P2_u_P1_2_of_u_p1_113 = ratio_q_P2_u_P1_of_place_34
+        .mul_add(u_p1_sin_q_p1, ratio_q_P2_u_P1_of_place_16 * u_p1_cos_q_p1)
+        + ratio_q_P2_u_P1_2_of_u_p1_64 * sin_q_P1 - ratio_q_P2_u_P1_2_of_u_p1_78 * cos_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_114 = ratio_q_P2_u_P1_of_place_101
+        * ratio_q_P2_u_P1_of_place_35
+            .mul_add(ratio_q_P2_u_P1_2_of_u_p1_109, -ratio_q_P2_u_P1_2_of_u_p1_113);
+    let ratio_q_P2_u_P1_2_of_u_p1_115 = ratio_q_P2_u_P1_of_place_34
+        .mul_add(u_p1_cos_q_p1, -ratio_q_P2_u_P1_2_of_u_p1_70)
+        + ratio_q_P2_u_P1_2_of_u_p1_78 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_116 = ratio_q_P2_u_P1_of_place_109
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_109, ratio_q_P2_u_P1_2_of_u_p1_115);
+    let ratio_q_P2_u_P1_2 = ratio_q_P2_u_P1_of_place_102
+        * ((-ratio_q_P2_u_P1_of_place_18)
+            .mul_add(
+                ratio_q_P2_u_P1_2_of_u_p1_58,
+                ratio_q_P2_u_P1_of_place_25 * ratio_q_P2_u_P1_2_of_u_p1_67,
+            ) + ratio_q_P2_u_P1_of_place_30 * ratio_q_P2_u_P1_2_of_u_p1_68
+            - ratio_q_P2_u_P1_of_place_13 * ratio_q_P2_u_P1_2_of_u_p1_72
+            + ratio_q_P2_u_P1_of_place_22 * ratio_q_P2_u_P1_2_of_u_p1_75
+            - ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_2_of_u_p1_77)
+        - ratio_q_P2_u_P1_of_place_106 * ratio_q_P2_u_P1_of_place_109 * ratio_q_P2_u_P1_2_of_u_p1_38
+        - ratio_q_P2_u_P1_of_place_108 * ratio_q_P2_u_P1_2_of_u_p1_96
+        + ratio_q_P2_u_P1_of_q_p4_q_p5_16 * ratio_q_P2_u_P1_2_of_u_p1_112
+        + ratio_q_P2_u_P1_of_place_31 * ratio_q_P2_u_P1_2_of_u_p1_114
+        + ratio_q_P2_u_P1_of_place_110 * ratio_q_P2_u_P1_2_of_u_p1_116;
     let w_rod2_frame_12 = w_rod1_frame_in_rod2_frame_1 * w_rod1_frame_in_rod2_frame_2;
     let a_rod1_frame_in_rod2_frame_1 = (-g)
         .mul_add(sin_q_P2, a_rod1_centre_1 * cos_q_P2);
-    let alpha_rod2_frame_3 = u_P4 * ratio_q_P2_u_P4_2;
+    let alpha_rod2_frame_3 = u_P1 * ratio_q_P2_u_P1_2;
     let turn_rod2_frame_12 = w_rod2_frame_12 - alpha_rod2_frame_3;
     let l_turn_rod2_frame_12 = l * turn_rod2_frame_12;
     let a_rod2_centre_1 = a_rod1_frame_in_rod2_frame_1
@@ -2922,111 +2988,72 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S
     let turn_rod2_frame_22 = w_rod2_frame_11 + w_rod2_frame_33;
     let a_rod1_frame_in_rod2_frame_2 = a_rod1_centre_1.mul_add(sin_q_P2, g * cos_q_P2);
     let w_rod2_frame_23 = w_rod1_frame_in_rod2_frame_2 * w_rod2_frame_3;
-    let alpha_rod1_frame_in_rod2_frame_1 = alpha_rod1_frame_2 * sin_q_P2;
-    let alpha_rod2_frame_1 = w_rod2_frame_23 + alpha_rod1_frame_in_rod2_frame_1;
+    let alpha_rod2_frame_1 = w_rod2_frame_23;
     let turn_rod2_frame_32 = w_rod2_frame_23 + alpha_rod2_frame_1;
-    let l_turn_rod2_frame_32 = l * turn_rod2_frame_32;
-    let a_rod2_centre_3 = a_rod1_centre_3.mul_add(S::int(2), -l_turn_rod2_frame_32);
+    let a_rod2_centre_3 = l * turn_rod2_frame_32;
     let x_rod2_frame_3 = m * a_rod2_centre_3;
-    let H_rod2_3 = w_rod2_frame_3 * m_l_sq;
+    let x_rod1_frame_2_2 = m * l_sq;
+    let H_rod2_3 = w_rod2_frame_3 * x_rod1_frame_2_2;
     let x_rod2_frame_1_2 = alpha_rod2_frame_1
-        .mul_add(m_l_sq, w_rod1_frame_in_rod2_frame_2 * H_rod2_3);
-    let H_rod2_1 = w_rod1_frame_in_rod2_frame_1 * m_l_sq;
+        .mul_add(x_rod1_frame_2_2, w_rod1_frame_in_rod2_frame_2 * H_rod2_3);
+    let H_rod2_1 = w_rod1_frame_in_rod2_frame_1 * x_rod1_frame_2_2;
     let x_rod2_frame_2_2 = (-w_rod1_frame_in_rod2_frame_1)
         .mul_add(H_rod2_3, w_rod2_frame_3 * H_rod2_1);
     let x_rod2_frame_3_2 = (-alpha_rod2_frame_3)
-        .mul_add(m_l_sq, w_rod1_frame_in_rod2_frame_2 * H_rod2_1);
-    let w_rod3_frame_1 = w_rod1_frame_in_rod2_frame_1 + u_p4_ratio_q_p3_u_p4;
-    let w_rod2_frame_in_rod3_frame_3 = w_rod2_frame_3
+        .mul_add(x_rod1_frame_2_2, w_rod1_frame_in_rod2_frame_2 * H_rod2_1);
+    let w_rod3_frame_1 = w_rod1_frame_in_rod2_frame_1 + u_p1_ratio_q_p3_u_p1;
+    let w_rod2_frame_in_rod3_frame_3 = (-w_rod2_frame_3)
         .mul_add(cos_q_P3, w_rod1_frame_in_rod2_frame_2 * sin_q_P3);
     let w_rod3_frame_13 = w_rod3_frame_1 * w_rod2_frame_in_rod3_frame_3;
-    let alpha_rod1_frame_in_rod2_frame_2 = alpha_rod1_frame_2 * cos_q_P2;
-    let alpha_rod2_frame_2 = w_rod1_frame_in_rod2_frame_1
-        .mul_add(w_rod2_frame_3, -alpha_rod1_frame_in_rod2_frame_2);
-    let alpha_rod2_frame_in_rod3_frame_2 = alpha_rod2_frame_2
-        .mul_add(cos_q_P3, alpha_rod2_frame_3 * sin_q_P3);
+    let alpha_rod2_frame_2 = w_rod1_frame_in_rod2_frame_1 * w_rod2_frame_3;
+    let alpha_rod2_frame_in_rod3_frame_2 = (-alpha_rod2_frame_3)
+        .mul_add(sin_q_P3, alpha_rod2_frame_2 * cos_q_P3);
     let alpha_rod3_frame_2 = w_rod2_frame_in_rod3_frame_3
-        .mul_add(u_p4_ratio_q_p3_u_p4, -alpha_rod2_frame_in_rod3_frame_2);
+        .mul_add(u_p1_ratio_q_p3_u_p1, alpha_rod2_frame_in_rod3_frame_2);
     let turn_rod3_frame_13 = w_rod3_frame_13 + alpha_rod3_frame_2;
     let a_rod3_centre_1 = a_rod1_frame_in_rod2_frame_1 - l_turn_rod2_frame_12;
     let l_turn_rod3_frame_13 = l * turn_rod3_frame_13;
     let a_rod3_centre_1_2 = a_rod3_centre_1.mul_add(S::int(2), l_turn_rod3_frame_13);
     let x_rod3_frame_1 = m * a_rod3_centre_1_2;
-    let w_rod2_frame_in_rod3_frame_2 = (-w_rod2_frame_3)
+    let w_rod2_frame_in_rod3_frame_2 = w_rod2_frame_3
         .mul_add(sin_q_P3, w_rod1_frame_in_rod2_frame_2 * cos_q_P3);
-    let ratio_q_P3_u_P4_2_of_u_p4 = ratio_q_P1_u_P4_of_place_95
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_5, ratio_q_P1_u_P4_2_of_u_p4_91);
-    let ratio_q_P3_u_P4_2 = ratio_q_P1_u_P4_of_place_90
-        * (ratio_q_P3_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_57
-            - ratio_q_P3_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_42
-            - ratio_q_P2_u_P4_of_place_3
-                * (-ratio_q_P1_u_P4_of_place_13)
-                    .mul_add(
-                        ratio_q_P1_u_P4_2_of_u_p4_59,
-                        ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_55,
-                    ) - ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_u_p4_63
-            - ratio_q_P1_u_P4_2_of_u_p4_73
-                * ratio_q_P1_u_P4_of_place_13
-                    .mul_add(
-                        ratio_q_P1_u_P4_of_place_79,
-                        ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_of_place_74,
-                    ) - ratio_q_P1_u_P4_of_place_83 * ratio_q_P1_u_P4_2_of_u_p4_77)
-        - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_75
-        + ratio_q_P1_u_P4_of_place_82
-            * ((-ratio_q_P1_u_P4_of_place_47)
+    let ratio_q_P3_u_P1_2_of_u_p1 = (-ratio_q_P2_u_P1_of_place_39)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_57,
+            S::int(2) * ratio_q_P2_u_P1_of_place_42 * ratio_q_P2_u_P1_2_of_u_p1_52,
+        ) - ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_2_of_u_p1_78
+        + ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_2_of_u_p1_82;
+    let ratio_q_P3_u_P1_2_of_u_p1_2 = (-ratio_q_P2_u_P1_of_place_39)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_46,
+            ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_u_p1_78,
+        ) - ratio_q_P2_u_P1_of_place_42 * ratio_q_P2_u_P1_2_of_u_p1_48
+        + ratio_q_P2_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_83;
+    let ratio_q_P3_u_P1_2_of_u_p1_3 = ratio_q_P2_u_P1_2_of_u_p1_111
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_107 * ratio_q_P2_u_P1_2_of_u_p1_22);
+    let ratio_q_P3_u_P1_2_of_u_p1_4 = ratio_q_P2_u_P1_of_place_101 * ratio_q_P2_u_P1_2_of_u_p1_116;
+    let ratio_q_P3_u_P1_2 = ratio_q_P3_u_P1_of_place_5
+        * ((-ratio_q_P2_u_P1_of_q_p3_q_p5_4)
+            .mul_add(ratio_q_P2_u_P1_2_of_u_p1_15, ratio_q_P2_u_P1_2_of_u_p1)
+            + ratio_q_P2_u_P1_2_of_u_p1_87 * cos_q_P5 - ratio_q_P2_u_P1_2_of_u_p1_88)
+        + ratio_q_P3_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_91
+        + ratio_q_P3_u_P1_of_place_3 * ratio_q_P2_u_P1_2_of_u_p1_114
+        + ratio_q_P2_u_P1_of_place_102
+            * ((-ratio_q_P2_u_P1_of_place_82)
                 .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_44,
-                    ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_71,
-                ) - ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_u_p4_57
-                + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_u_p4_74
-                + ratio_q_P1_u_P4_2_of_u_p4_59 * ratio_q_P1_u_P4_2_of_place_10
-                - ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_77)
-        + ratio_q_P1_u_P4_of_place_61 * ratio_q_P1_u_P4_2_of_u_p4_84
-        + ratio_q_P3_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_86
-        + ratio_q_P3_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_88
-        + ratio_q_P1_u_P4_of_place_97
-            * (ratio_q_P3_u_P4_of_place_8 * ratio_q_P1_u_P4_2_of_u_p4_5
-                - ratio_q_P3_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_u_p4_21
-                - cos_q_P5
-                    * (ratio_q_P3_u_P4_of_q_p3_q_p5_4 * cos_q_p2_w_rod2_frame_3
-                        - ratio_q_P3_u_P4_of_place_7 * u_p4_cos_q_p4
-                        - S::int(2) * sin_q_p3_sin_q_p5 * ratio_q_P1_u_P4_2_of_u_p4_4
-                        - ratio_q_P1_u_P4_2_of_u_p4_15 * sin_q_P3 + ratio_q_P1_u_P4_2_of_u_p4_54
-                        + sin_q_P4
-                            * (ratio_q_P1_u_P4_2_of_u_p4_2
-                                + ratio_q_P3_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_u_p4_4
-                                - ratio_q_P1_u_P4_2_of_u_p4_10 * sin_q_P2
-                                - ratio_q_P3_u_P4_of_q_p3_q_p5 * cos_q_p2_w_rod2_frame_3
-                                + ratio_q_P1_u_P4_2_of_u_p4_54
-                                + sin_q_P3
-                                    * (-sin_q_P2
-                                        * (ratio_q_P1_u_P4_2_of_u_p4_4
-                                            - ratio_q_P3_u_P4_of_q_p3_q_p5_2 * u_p4_cos_q_p4
-                                            - ratio_q_P1_u_P4_2_of_u_p4_11
-                                            + sin_q_P4
-                                                * (ratio_q_P1_u_P4_2_of_u_p4
-                                                    - ratio_q_P1_u_P4_2_of_u_p4_16))
-                                        + ratio_q_P3_u_P4_of_place_5 * cos_q_p2_w_rod2_frame_3
-                                        - ratio_q_P1_u_P4_2_of_u_p4_40
-                                        - ratio_q_P1_u_P4_2_of_u_p4_54))
-                        + sin_q_P2
-                            * (ratio_q_P3_u_P4_of_q_p3_q_p5_3
-                                .mul_add(
-                                    ratio_q_P1_u_P4_2_of_u_p4_4, -ratio_q_P1_u_P4_2_of_u_p4_89,
-                                ) + ratio_q_P1_u_P4_2_of_u_p4_26 * sin_q_P3))
-                - cos_q_p3_sin_q_p5
-                    * ((-ratio_q_P2_u_P4_of_place_6)
-                        .mul_add(
-                            ratio_q_P1_u_P4_2_of_u_p4_4,
-                            ratio_q_P2_u_P4_2_of_u_p4_4 * sin_q_P3,
-                        ) - cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_54))
-        + ratio_q_P1_u_P4_of_place_93 * ratio_q_P3_u_P4_of_place_10 * ratio_q_P3_u_P4_2_of_u_p4;
+                    ratio_q_P2_u_P1_2_of_u_p1_58,
+                    ratio_q_P3_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_77,
+                ) - ratio_q_P3_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_75
+                - ratio_q_P2_u_P1_of_place_13 * ratio_q_P2_u_P1_2_of_u_p1_108
+                - ratio_q_P2_u_P1_of_place_25 * ratio_q_P3_u_P1_2_of_u_p1
+                + ratio_q_P2_u_P1_of_place_30 * ratio_q_P3_u_P1_2_of_u_p1_2)
+        - ratio_q_P3_u_P1_of_q_p3_q_p5 * ratio_q_P3_u_P1_2_of_u_p1_3
+        + ratio_q_P2_u_P1_of_place_51 * ratio_q_P3_u_P1_2_of_u_p1_4;
     let w_rod3_frame_23 = w_rod2_frame_in_rod3_frame_3 * w_rod2_frame_in_rod3_frame_2;
     let a_rod3_centre_2 = l.mul_add(turn_rod2_frame_22, -a_rod1_frame_in_rod2_frame_2);
-    let alpha_rod3_frame_1 = u_P4.mul_add(ratio_q_P3_u_P4_2, alpha_rod2_frame_1);
-    let turn_rod3_frame_23 = w_rod3_frame_23 - alpha_rod3_frame_1;
-    let a_rod3_centre_3 = a_rod1_centre_3 - l_turn_rod2_frame_32;
-    let a_rod2_frame_in_rod3_frame_2 = (-a_rod3_centre_3)
+    let alpha_rod3_frame_1 = u_P1.mul_add(ratio_q_P3_u_P1_2, alpha_rod2_frame_1);
+    let turn_rod3_frame_23 = w_rod3_frame_23 + alpha_rod3_frame_1;
+    let a_rod2_frame_in_rod3_frame_2 = (-a_rod2_centre_3)
         .mul_add(sin_q_P3, a_rod3_centre_2 * cos_q_P3);
     let l_turn_rod3_frame_23 = l * turn_rod3_frame_23;
     let a_rod3_centre_2_2 = a_rod2_frame_in_rod3_frame_2
@@ -3035,24 +3062,23 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S
     let w_rod3_frame_11 = w_rod3_frame_1 * w_rod3_frame_1;
     let w_rod3_frame_22 = w_rod2_frame_in_rod3_frame_2 * w_rod2_frame_in_rod3_frame_2;
     let turn_rod3_frame_33 = w_rod3_frame_11 + w_rod3_frame_22;
-    let a_rod2_frame_in_rod3_frame_3 = a_rod3_centre_3
-        .mul_add(cos_q_P3, a_rod3_centre_2 * sin_q_P3);
+    let a_rod2_frame_in_rod3_frame_3 = a_rod3_centre_2
+        .mul_add(sin_q_P3, a_rod2_centre_3 * cos_q_P3);
     let l_turn_rod3_frame_33 = l * turn_rod3_frame_33;
-    let a_rod3_centre_3_2 = (-a_rod2_frame_in_rod3_frame_3)
+    let a_rod3_centre_3 = (-a_rod2_frame_in_rod3_frame_3)
         .mul_add(S::int(2), l_turn_rod3_frame_33);
-    let x_rod3_frame_3 = m * a_rod3_centre_3_2;
-    let H_rod3_2 = w_rod2_frame_in_rod3_frame_2 * m_l_sq;
-    let x_rod3_frame_1_2 = (-alpha_rod3_frame_1)
-        .mul_add(m_l_sq, w_rod2_frame_in_rod3_frame_3 * H_rod3_2);
-    let H_rod3_1 = w_rod3_frame_1 * m_l_sq;
-    let x_rod3_frame_2_2_of_place = alpha_rod3_frame_2 * m_l_sq;
-    let x_rod3_frame_2_2 = w_rod2_frame_in_rod3_frame_3
-        .mul_add(H_rod3_1, x_rod3_frame_2_2_of_place);
+    let x_rod3_frame_3 = m * a_rod3_centre_3;
+    let H_rod3_2 = w_rod2_frame_in_rod3_frame_2 * x_rod1_frame_2_2;
+    let x_rod3_frame_1_2 = alpha_rod3_frame_1
+        .mul_add(x_rod1_frame_2_2, w_rod2_frame_in_rod3_frame_3 * H_rod3_2);
+    let H_rod3_1 = w_rod3_frame_1 * x_rod1_frame_2_2;
+    let x_rod3_frame_2_2 = alpha_rod3_frame_2
+        .mul_add(x_rod1_frame_2_2, w_rod2_frame_in_rod3_frame_3 * H_rod3_1);
     let x_rod3_frame_3_2 = (-w_rod2_frame_in_rod3_frame_2)
         .mul_add(H_rod3_1, w_rod3_frame_1 * H_rod3_2);
     let w_rod3_frame_in_rod4_frame_3 = (-w_rod2_frame_in_rod3_frame_3)
         .mul_add(cos_q_P4, w_rod3_frame_1 * sin_q_P4);
-    let w_rod4_frame_2 = u_P4 - w_rod2_frame_in_rod3_frame_2;
+    let w_rod4_frame_2 = u_p1_ratio_q_p4_u_p1 - w_rod2_frame_in_rod3_frame_2;
     let w_rod4_frame_22 = w_rod4_frame_2 * w_rod4_frame_2;
     let w_rod4_frame_33 = w_rod3_frame_in_rod4_frame_3 * w_rod3_frame_in_rod4_frame_3;
     let turn_rod4_frame_11 = w_rod4_frame_22 + w_rod4_frame_33;
@@ -3067,99 +3093,96 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S
     let w_rod3_frame_in_rod4_frame_1 = w_rod2_frame_in_rod3_frame_3
         .mul_add(sin_q_P4, w_rod3_frame_1 * cos_q_P4);
     let w_rod4_frame_12 = w_rod4_frame_2 * w_rod3_frame_in_rod4_frame_1;
-    let alpha_rod2_frame_in_rod3_frame_3 = (-alpha_rod2_frame_3)
-        .mul_add(cos_q_P3, alpha_rod2_frame_2 * sin_q_P3);
+    let alpha_rod2_frame_in_rod3_frame_3 = alpha_rod2_frame_2
+        .mul_add(sin_q_P3, alpha_rod2_frame_3 * cos_q_P3);
     let alpha_rod3_frame_3 = w_rod2_frame_in_rod3_frame_2
-        .mul_add(u_p4_ratio_q_p3_u_p4, alpha_rod2_frame_in_rod3_frame_3);
-    let alpha_rod3_frame_in_rod4_frame_3 = alpha_rod3_frame_3
-        .mul_add(cos_q_P4, alpha_rod3_frame_1 * sin_q_P4);
-    let alpha_rod4_frame_3 = u_P4
-        .mul_add(w_rod3_frame_in_rod4_frame_1, alpha_rod3_frame_in_rod4_frame_3);
+        .mul_add(u_p1_ratio_q_p3_u_p1, -alpha_rod2_frame_in_rod3_frame_3);
+    let alpha_rod3_frame_in_rod4_frame_3 = (-alpha_rod3_frame_1)
+        .mul_add(sin_q_P4, alpha_rod3_frame_3 * cos_q_P4);
+    let alpha_rod4_frame_3 = w_rod3_frame_in_rod4_frame_1
+        .mul_add(u_p1_ratio_q_p4_u_p1, alpha_rod3_frame_in_rod4_frame_3);
     let turn_rod4_frame_21 = w_rod4_frame_12 + alpha_rod4_frame_3;
     let a_rod4_centre_2 = a_rod2_frame_in_rod3_frame_2 + l_turn_rod3_frame_23;
     let l_turn_rod4_frame_21 = l * turn_rod4_frame_21;
     let a_rod4_centre_2_2 = (-a_rod4_centre_2).mul_add(S::int(2), l_turn_rod4_frame_21);
     let x_rod4_frame_2 = m * a_rod4_centre_2_2;
+    let ratio_q_P4_u_P1_2_of_u_p1 = ratio_q_P2_u_P1_of_place_39 * ratio_q_P2_u_P1_2_of_u_p1_63
+        - ratio_q_P2_u_P1_2_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_78
+        + ratio_q_P2_u_P1_of_place_8
+            * (-ratio_q_P2_u_P1_of_place_16)
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_u_p1_80,
+                    cos_q_p2_sin_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_64,
+                ) + ratio_q_P4_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_81;
+    let ratio_q_P4_u_P1_2_of_u_p1_2 = ratio_q_P2_u_P1_2_of_u_p1_28 - ratio_q_P2_u_P1_2_of_u_p1_16;
+    let ratio_q_P4_u_P1_2 = ratio_q_P4_u_P1_of_place_3 * ratio_q_P2_u_P1_2_of_u_p1_114
+        - ratio_q_P3_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_106
+        - ratio_q_P4_u_P1_of_place_5 * ratio_q_P2_u_P1_2_of_u_p1_112
+        + ratio_q_P2_u_P1_of_place_73 * ratio_q_P3_u_P1_2_of_u_p1_4
+        + ratio_q_P2_u_P1_of_place_102
+            * ((-ratio_q_P2_u_P1_of_place_82)
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_u_p1_67,
+                    ratio_q_P2_u_P1_of_place_30 * ratio_q_P4_u_P1_2_of_u_p1,
+                ) - ratio_q_P3_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_72
+                - ratio_q_P4_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_77
+                - ratio_q_P2_u_P1_of_place_22 * ratio_q_P2_u_P1_2_of_u_p1_108
+                - ratio_q_P2_u_P1_of_place_18 * ratio_q_P3_u_P1_2_of_u_p1)
+        + ratio_q_P2_u_P1_of_place_108
+            * (-ratio_q_P2_u_P1_2_of_u_p1 + ratio_q_P4_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_3
+                - sin_q_P4
+                    * ((-ratio_q_P4_u_P1_of_q_p4_q_p5)
+                        .mul_add(
+                            ratio_q_P2_u_P1_2_of_u_p1_16,
+                            ratio_q_P2_u_P1_2_of_u_p1_96 * sin_q_P3,
+                        ) - ratio_q_P2_u_P1_2_of_u_p1_25 - ratio_q_P2_u_P1_2_of_u_p1_28)
+                + ratio_q_P4_u_P1_2_of_u_p1_2);
     let w_rod4_frame_13 = w_rod3_frame_in_rod4_frame_3 * w_rod3_frame_in_rod4_frame_1;
-    let turn_rod4_frame_31 = alpha_rod3_frame_2 + w_rod4_frame_13;
+    let alpha_rod4_frame_2 = u_P1.mul_add(ratio_q_P4_u_P1_2, alpha_rod3_frame_2);
+    let turn_rod4_frame_31 = w_rod4_frame_13 + alpha_rod4_frame_2;
     let a_rod3_frame_in_rod4_frame_3 = a_rod4_centre_3
         .mul_add(cos_q_P4, a_rod4_centre_1 * sin_q_P4);
     let l_turn_rod4_frame_31 = l * turn_rod4_frame_31;
     let a_rod4_centre_3_2 = a_rod3_frame_in_rod4_frame_3
         .mul_add(S::int(2), l_turn_rod4_frame_31);
     let x_rod4_frame_3 = m * a_rod4_centre_3_2;
-    let H_rod4_2 = w_rod4_frame_2 * m_l_sq;
-    let H_rod4_3 = w_rod3_frame_in_rod4_frame_3 * m_l_sq;
+    let H_rod4_2 = w_rod4_frame_2 * x_rod1_frame_2_2;
+    let H_rod4_3 = w_rod3_frame_in_rod4_frame_3 * x_rod1_frame_2_2;
     let x_rod4_frame_1_2 = (-w_rod3_frame_in_rod4_frame_3)
         .mul_add(H_rod4_2, w_rod4_frame_2 * H_rod4_3);
-    let x_rod4_frame_2_2 = w_rod3_frame_in_rod4_frame_1
-        .mul_add(H_rod4_3, x_rod3_frame_2_2_of_place);
+    let x_rod4_frame_2_2 = alpha_rod4_frame_2
+        .mul_add(x_rod1_frame_2_2, w_rod3_frame_in_rod4_frame_1 * H_rod4_3);
     let x_rod4_frame_3_2 = alpha_rod4_frame_3
-        .mul_add(m_l_sq, w_rod3_frame_in_rod4_frame_1 * H_rod4_2);
+        .mul_add(x_rod1_frame_2_2, w_rod3_frame_in_rod4_frame_1 * H_rod4_2);
     let w_rod4_frame_in_rod5_frame_1 = (-w_rod4_frame_2)
         .mul_add(sin_q_P5, w_rod3_frame_in_rod4_frame_1 * cos_q_P5);
     let w_rod4_frame_in_rod5_frame_2 = w_rod3_frame_in_rod4_frame_1
         .mul_add(sin_q_P5, w_rod4_frame_2 * cos_q_P5);
-    let ratio_q_P5_u_P4_2_of_u_p4 = (-ratio_q_P1_u_P4_of_place_18)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_59,
-            ratio_q_P1_u_P4_of_place_64 * ratio_q_P1_u_P4_2_of_u_p4_55,
-        );
-    let ratio_q_P5_u_P4_2 = ratio_q_P1_u_P4_of_place_90
-        * (ratio_q_P2_u_P4_of_place_3
-            * (-ratio_q_P1_u_P4_of_place_17)
+    let ratio_q_P5_u_P1_2 = ratio_q_P3_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_107
+        + ratio_q_P5_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_114
+        - ratio_q_P5_u_P1_of_place_2 * ratio_q_P3_u_P1_2_of_u_p1_3
+        + ratio_q_P2_u_P1_of_place_80 * ratio_q_P3_u_P1_2_of_u_p1_4
+        + ratio_q_P2_u_P1_of_place_102
+            * ((-ratio_q_P2_u_P1_of_place_82)
                 .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_59,
-                    ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_55,
-                ) + ratio_q_P3_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_9
-            - ratio_q_P3_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_61
-            + ratio_q_P1_u_P4_of_place_47 * ratio_q_P1_u_P4_2_of_u_p4_66
-            + ratio_q_P5_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_73
-            + ratio_q_P1_u_P4_of_place_87 * ratio_q_P1_u_P4_2_of_u_p4_77)
-        + ratio_q_P1_u_P4_of_place_82
-            * ((-ratio_q_P1_u_P4_of_place_46)
-                .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_25,
-                    ratio_q_P1_u_P4_of_place_68 * ratio_q_P5_u_P4_of_place_6
-                        * ratio_q_P1_u_P4_2_of_place_4,
-                ) + ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_2_of_u_p4_58
-                + ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_2_of_u_p4_61
-                - ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_71
-                - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_76
-                - ratio_q_P5_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_78)
-        + ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_81
-        + ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_84
-        + ratio_q_P5_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_86
-        - ratio_q_P5_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_88
-        - ratio_q_P5_u_P4_of_place_9 * ratio_q_P3_u_P4_2_of_u_p4
-        + ratio_q_P1_u_P4_of_place_76 * ratio_q_P1_u_P4_of_place_96
-            * (ratio_q_P1_u_P4_of_place_79 * ratio_q_P5_u_P4_of_place_8
-                * ratio_q_P1_u_P4_2_of_u_p4_9
-                - l * ratio_q_P5_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_72
-                + ratio_q_P1_u_P4_of_place_47
-                    * (ratio_q_P1_u_P4_of_place_17
-                        * (-sin_q_p1_l_sq)
-                            .mul_add(
-                                ratio_q_P1_u_P4_2_of_u_p4_41,
-                                ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_place,
-                            ) + ratio_q_P5_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_u_p4_9
-                        + l_sq * ratio_q_P5_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_55
-                        + ratio_q_P1_u_P4_of_place_34
-                            * (ratio_q_P1_u_P4_of_place_62
-                                .mul_add(
-                                    sin_q_p1_w_rod1_frame_2,
-                                    sin_q_p2_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_8,
-                                ) + ratio_q_P1_u_P4_2_of_u_p4_40 * cos_q_P1
-                                - ratio_q_P1_u_P4_2_of_place_5 * sin_q_P1
-                                + ratio_q_P1_u_P4_of_place_16 * ratio_q_P1_u_P4_2_of_place_7))
-                + ratio_q_P5_u_P4_of_place_7 * ratio_q_P1_u_P4_2_of_u_p4_77
-                - l_sq * ratio_q_P1_u_P4_of_place_53
-                    * ratio_q_P1_u_P4_of_place_60
+                    ratio_q_P2_u_P1_2_of_u_p1_68,
+                    ratio_q_P2_u_P1_of_place_18 * ratio_q_P3_u_P1_2_of_u_p1_2,
+                ) - ratio_q_P3_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_72
+                - ratio_q_P4_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_75
+                - ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_2_of_u_p1_108
+                - ratio_q_P2_u_P1_of_place_25 * ratio_q_P4_u_P1_2_of_u_p1)
+        + ratio_q_P3_u_P1_of_place_5
+            * (ratio_q_P5_u_P1_of_q_p3_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_3
+                - ratio_q_P5_u_P1_of_q_p3_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1
+                + sin_q_P4
+                    * ((-(ratio_q_P2_u_P1_2_of_u_p1_2 * sin_q_P3))
                         .mul_add(
-                            ratio_q_P1_u_P4_2_of_u_p4_61, -ratio_q_P5_u_P4_2_of_u_p4,
-                        ));
+                            S::int(2),
+                            ratio_q_P2_u_P1_of_q_p5_4 * ratio_q_P2_u_P1_2_of_u_p1_16,
+                        ) + ratio_q_P2_u_P1_2_of_u_p1_34)
+                + ratio_q_P2_u_P1_of_q_p5 * ratio_q_P4_u_P1_2_of_u_p1_2);
     let w_rod5_frame_12 = w_rod4_frame_in_rod5_frame_1 * w_rod4_frame_in_rod5_frame_2;
-    let alpha_rod5_frame_3 = u_P4.mul_add(ratio_q_P5_u_P4_2, alpha_rod4_frame_3);
+    let alpha_rod5_frame_3 = u_P1.mul_add(ratio_q_P5_u_P1_2, alpha_rod4_frame_3);
     let turn_rod5_frame_12 = w_rod5_frame_12 - alpha_rod5_frame_3;
     let a_rod5_centre_1 = a_rod3_frame_in_rod4_frame_1 + l_turn_rod4_frame_11;
     let a_rod5_centre_2 = l_turn_rod4_frame_21 - a_rod4_centre_2;
@@ -3168,7 +3191,7 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S
     let a_rod5_centre_1_2 = a_rod4_frame_in_rod5_frame_1
         .mul_add(S::int(2), l * turn_rod5_frame_12);
     let x_rod5_frame_1 = m * a_rod5_centre_1_2;
-    let w_rod5_frame_3 = w_rod3_frame_in_rod4_frame_3 + u_p4_ratio_q_p5_u_p4;
+    let w_rod5_frame_3 = u_p1_ratio_q_p5_u_p1 - w_rod3_frame_in_rod4_frame_3;
     let w_rod5_frame_11 = w_rod4_frame_in_rod5_frame_1 * w_rod4_frame_in_rod5_frame_1;
     let w_rod5_frame_33 = w_rod5_frame_3 * w_rod5_frame_3;
     let turn_rod5_frame_22 = w_rod5_frame_11 + w_rod5_frame_33;
@@ -3178,118 +3201,110 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S
         .mul_add(S::int(2), l * turn_rod5_frame_22);
     let x_rod5_frame_2 = m * a_rod5_centre_2_2;
     let w_rod5_frame_23 = w_rod4_frame_in_rod5_frame_2 * w_rod5_frame_3;
-    let alpha_rod3_frame_in_rod4_frame_1 = (-alpha_rod3_frame_1)
-        .mul_add(cos_q_P4, alpha_rod3_frame_3 * sin_q_P4);
-    let alpha_rod4_frame_1 = u_P4
-        .mul_add(w_rod3_frame_in_rod4_frame_3, alpha_rod3_frame_in_rod4_frame_1);
-    let alpha_rod4_frame_in_rod5_frame_1 = (-alpha_rod3_frame_2)
+    let alpha_rod3_frame_in_rod4_frame_1 = alpha_rod3_frame_3
+        .mul_add(sin_q_P4, alpha_rod3_frame_1 * cos_q_P4);
+    let alpha_rod4_frame_1 = w_rod3_frame_in_rod4_frame_3
+        .mul_add(u_p1_ratio_q_p4_u_p1, alpha_rod3_frame_in_rod4_frame_1);
+    let alpha_rod4_frame_in_rod5_frame_1 = (-alpha_rod4_frame_2)
         .mul_add(sin_q_P5, alpha_rod4_frame_1 * cos_q_P5);
     let alpha_rod5_frame_1 = w_rod4_frame_in_rod5_frame_2
-        .mul_add(u_p4_ratio_q_p5_u_p4, -alpha_rod4_frame_in_rod5_frame_1);
+        .mul_add(u_p1_ratio_q_p5_u_p1, alpha_rod4_frame_in_rod5_frame_1);
     let turn_rod5_frame_32 = w_rod5_frame_23 + alpha_rod5_frame_1;
     let a_rod5_centre_3 = a_rod3_frame_in_rod4_frame_3 + l_turn_rod4_frame_31;
-    let a_rod5_centre_3_2 = (-a_rod5_centre_3)
-        .mul_add(S::int(2), l * turn_rod5_frame_32);
+    let a_rod5_centre_3_2 = a_rod5_centre_3.mul_add(S::int(2), l * turn_rod5_frame_32);
     let x_rod5_frame_3 = m * a_rod5_centre_3_2;
-    let H_rod5_3 = w_rod5_frame_3 * m_l_sq;
+    let H_rod5_3 = w_rod5_frame_3 * x_rod1_frame_2_2;
     let x_rod5_frame_1_2 = alpha_rod5_frame_1
-        .mul_add(m_l_sq, w_rod4_frame_in_rod5_frame_2 * H_rod5_3);
-    let H_rod5_1 = w_rod4_frame_in_rod5_frame_1 * m_l_sq;
+        .mul_add(x_rod1_frame_2_2, w_rod4_frame_in_rod5_frame_2 * H_rod5_3);
+    let H_rod5_1 = w_rod4_frame_in_rod5_frame_1 * x_rod1_frame_2_2;
     let x_rod5_frame_2_2 = (-w_rod4_frame_in_rod5_frame_1)
         .mul_add(H_rod5_3, w_rod5_frame_3 * H_rod5_1);
     let x_rod5_frame_3_2 = (-alpha_rod5_frame_3)
-        .mul_add(m_l_sq, w_rod4_frame_in_rod5_frame_2 * H_rod5_1);
-    let x_rod1_frame_in_rod2_frame_3 = l * ratio_q_P1_u_P4;
-    let x_rod1_frame_3_2 = m * x_rod1_frame_in_rod2_frame_3;
-    let x_rod1_frame_2_3 = ratio_q_P1_u_P4 * m_l_sq;
-    let x_rod5_frame_1_3 = l * ratio_q_P2_u_P4;
+        .mul_add(x_rod1_frame_2_2, w_rod4_frame_in_rod5_frame_2 * H_rod5_1);
+    let x_rod1_frame_3 = l * m;
+    let x_rod5_frame_1_3 = l * ratio_q_P2_u_P1;
     let x_rod2_frame_1_3 = m * x_rod5_frame_1_3;
-    let w_rod1_frame_in_rod2_frame_1_2 = ratio_q_P1_u_P4 * sin_q_P2;
-    let a_rod2_centre_3_2_of_place = l * w_rod1_frame_in_rod2_frame_1_2;
-    let a_rod2_centre_3_2 = (-x_rod1_frame_in_rod2_frame_3)
-        .mul_add(S::int(2), a_rod2_centre_3_2_of_place);
+    let l_sin_q_p2 = l * sin_q_P2;
+    let a_rod2_centre_3_2 = l.mul_add(S::int(2), -l_sin_q_p2);
     let x_rod2_frame_3_3 = m * a_rod2_centre_3_2;
-    let x_rod2_frame_1_4 = w_rod1_frame_in_rod2_frame_1_2 * m_l_sq;
-    let x_rod2_frame_3_4 = ratio_q_P2_u_P4 * m_l_sq;
-    let w_rod1_frame_in_rod2_frame_2_2 = ratio_q_P1_u_P4 * cos_q_P2;
-    let w_rod2_frame_in_rod3_frame_2_2 = (-w_rod1_frame_in_rod2_frame_2_2)
-        .mul_add(cos_q_P3, ratio_q_P2_u_P4 * sin_q_P3);
+    let x_rod2_frame_1_4 = x_rod1_frame_2_2 * sin_q_P2;
+    let x_rod2_frame_3_4 = ratio_q_P2_u_P1 * x_rod1_frame_2_2;
+    let w_rod2_frame_in_rod3_frame_2_2 = ratio_q_P2_u_P1
+        .mul_add(sin_q_P3, cos_q_p2_cos_q_p3);
     let a_rod3_centre_1_3_of_place = l * w_rod2_frame_in_rod3_frame_2_2;
     let a_rod3_centre_1_3 = (-x_rod5_frame_1_3)
         .mul_add(S::int(2), a_rod3_centre_1_3_of_place);
     let x_rod3_frame_1_3 = m * a_rod3_centre_1_3;
-    let w_rod3_frame_1_2 = ratio_q_P3_u_P4 + w_rod1_frame_in_rod2_frame_1_2;
-    let x_rod5_frame_3_3 = a_rod2_centre_3_2_of_place - x_rod1_frame_in_rod2_frame_3;
+    let w_rod3_frame_1_2 = sin_q_P2 + ratio_q_P3_u_P1;
+    let x_rod5_frame_3_3 = l - l_sin_q_p2;
     let x_rod2_frame_in_rod3_frame_2 = x_rod5_frame_3_3 * sin_q_P3;
     let l_w_rod3_frame_1_2 = l * w_rod3_frame_1_2;
-    let a_rod3_centre_2_3 = (-x_rod2_frame_in_rod3_frame_2)
+    let a_rod3_centre_2_3 = x_rod2_frame_in_rod3_frame_2
         .mul_add(S::int(2), l_w_rod3_frame_1_2);
     let x_rod3_frame_2_3 = m * a_rod3_centre_2_3;
     let x_rod2_frame_in_rod3_frame_3 = x_rod5_frame_3_3 * cos_q_P3;
     let x_rod3_frame_3_3 = m * x_rod2_frame_in_rod3_frame_3;
-    let x_rod3_frame_1_4 = w_rod3_frame_1_2 * m_l_sq;
-    let x_rod3_frame_2_4 = w_rod2_frame_in_rod3_frame_2_2 * m_l_sq;
+    let x_rod3_frame_1_4 = x_rod1_frame_2_2 * w_rod3_frame_1_2;
+    let x_rod3_frame_2_4 = x_rod1_frame_2_2 * w_rod2_frame_in_rod3_frame_2_2;
     let x_rod5_frame_1_4 = a_rod3_centre_1_3_of_place - x_rod5_frame_1_3;
     let x_rod3_frame_in_rod4_frame_1 = x_rod5_frame_1_4
         .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3 * sin_q_P4);
     let x_rod4_frame_1_3 = m * x_rod3_frame_in_rod4_frame_1;
-    let w_rod2_frame_in_rod3_frame_3_2 = w_rod1_frame_in_rod2_frame_2_2
-        .mul_add(sin_q_P3, ratio_q_P2_u_P4 * cos_q_P3);
+    let w_rod2_frame_in_rod3_frame_3_2 = (-ratio_q_P2_u_P1)
+        .mul_add(cos_q_P3, cos_q_P2 * sin_q_P3);
     let w_rod3_frame_in_rod4_frame_3_2 = (-w_rod3_frame_1_2)
         .mul_add(sin_q_P4, w_rod2_frame_in_rod3_frame_3_2 * cos_q_P4);
-    let x_rod5_frame_2_3 = l_w_rod3_frame_1_2 - x_rod2_frame_in_rod3_frame_2;
+    let x_rod5_frame_2_3 = x_rod2_frame_in_rod3_frame_2 + l_w_rod3_frame_1_2;
     let a_rod4_centre_2_3_of_place = l * w_rod3_frame_in_rod4_frame_3_2;
     let a_rod4_centre_2_3 = (-x_rod5_frame_2_3)
         .mul_add(S::int(2), a_rod4_centre_2_3_of_place);
     let x_rod4_frame_2_3 = m * a_rod4_centre_2_3;
-    let w_rod4_frame_2_2 = S::int(1) + w_rod2_frame_in_rod3_frame_2_2;
+    let w_rod4_frame_2_2 = ratio_q_P4_u_P1 - w_rod2_frame_in_rod3_frame_2_2;
     let x_rod3_frame_in_rod4_frame_3 = (-x_rod5_frame_1_4)
         .mul_add(sin_q_P4, x_rod2_frame_in_rod3_frame_3 * cos_q_P4);
     let l_w_rod4_frame_2_2 = l * w_rod4_frame_2_2;
-    let a_rod4_centre_3_3 = (-x_rod3_frame_in_rod4_frame_3)
+    let a_rod4_centre_3_3 = x_rod3_frame_in_rod4_frame_3
         .mul_add(S::int(2), l_w_rod4_frame_2_2);
     let x_rod4_frame_3_3 = m * a_rod4_centre_3_3;
-    let x_rod4_frame_2_4 = w_rod4_frame_2_2 * m_l_sq;
-    let x_rod4_frame_3_4 = w_rod3_frame_in_rod4_frame_3_2 * m_l_sq;
-    let w_rod5_frame_3_2 = ratio_q_P5_u_P4 - w_rod3_frame_in_rod4_frame_3_2;
+    let x_rod4_frame_2_4 = x_rod1_frame_2_2 * w_rod4_frame_2_2;
+    let x_rod4_frame_3_4 = x_rod1_frame_2_2 * w_rod3_frame_in_rod4_frame_3_2;
+    let w_rod5_frame_3_2 = ratio_q_P5_u_P1 + w_rod3_frame_in_rod4_frame_3_2;
     let x_rod5_frame_2_4 = a_rod4_centre_2_3_of_place - x_rod5_frame_2_3;
-    let x_rod4_frame_in_rod5_frame_1 = (-x_rod5_frame_2_4)
+    let x_rod4_frame_in_rod5_frame_1 = x_rod5_frame_2_4
         .mul_add(sin_q_P5, x_rod3_frame_in_rod4_frame_1 * cos_q_P5);
     let a_rod5_centre_1_3 = (-x_rod4_frame_in_rod5_frame_1)
         .mul_add(S::int(2), l * w_rod5_frame_3_2);
     let x_rod5_frame_1_5 = m * a_rod5_centre_1_3;
-    let x_rod4_frame_in_rod5_frame_2 = x_rod5_frame_2_4
+    let x_rod4_frame_in_rod5_frame_2 = (-x_rod5_frame_2_4)
         .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1 * sin_q_P5);
     let x_rod5_frame_2_5 = m * x_rod4_frame_in_rod5_frame_2;
     let w_rod3_frame_in_rod4_frame_1_2 = w_rod2_frame_in_rod3_frame_3_2
         .mul_add(sin_q_P4, w_rod3_frame_1_2 * cos_q_P4);
     let w_rod4_frame_in_rod5_frame_1_2 = (-w_rod4_frame_2_2)
         .mul_add(sin_q_P5, w_rod3_frame_in_rod4_frame_1_2 * cos_q_P5);
-    let x_rod5_frame_3_4 = l_w_rod4_frame_2_2 - x_rod3_frame_in_rod4_frame_3;
+    let x_rod5_frame_3_4 = x_rod3_frame_in_rod4_frame_3 + l_w_rod4_frame_2_2;
     let a_rod5_centre_3_3 = x_rod5_frame_3_4
         .mul_add(S::int(2), l * w_rod4_frame_in_rod5_frame_1_2);
     let x_rod5_frame_3_5 = m * a_rod5_centre_3_3;
-    let x_rod5_frame_1_6 = w_rod4_frame_in_rod5_frame_1_2 * m_l_sq;
-    let x_rod5_frame_3_6 = w_rod5_frame_3_2 * m_l_sq;
+    let x_rod5_frame_1_6 = x_rod1_frame_2_2 * w_rod4_frame_in_rod5_frame_1_2;
+    let x_rod5_frame_3_6 = x_rod1_frame_2_2 * w_rod5_frame_3_2;
     let w_rod4_frame_in_rod5_frame_2_2 = w_rod3_frame_in_rod4_frame_1_2
         .mul_add(sin_q_P5, w_rod4_frame_2_2 * cos_q_P5);
     let d1_of_place = a_rod3_centre_1_3
         .mul_add(x_rod3_frame_1_3, a_rod2_centre_3_2 * x_rod2_frame_3_3);
     let d1_of_place_2 = a_rod4_centre_2_3
         .mul_add(x_rod4_frame_2_3, a_rod3_centre_2_3 * x_rod3_frame_2_3);
-    let d1_of_place_3 = x_rod5_frame_1_3
-        .mul_add(x_rod2_frame_1_3, x_rod1_frame_in_rod2_frame_3 * x_rod1_frame_3_2);
+    let d1_of_place_3 = x_rod5_frame_1_3.mul_add(x_rod2_frame_1_3, l * x_rod1_frame_3);
     let d1_of_place_4 = a_rod5_centre_1_3
         .mul_add(x_rod5_frame_1_5, a_rod4_centre_3_3 * x_rod4_frame_3_3);
     let d1_of_place_5 = a_rod5_centre_3_3.mul_add(x_rod5_frame_3_5, d1_of_place_3);
     let d1_of_place_6 = d1_of_place + d1_of_place_2;
     let d1_of_place_7 = d1_of_place_4 + d1_of_place_5;
     let d1_of_place_8 = w_rod3_frame_1_2
-        .mul_add(x_rod3_frame_1_4, ratio_q_P2_u_P4 * x_rod2_frame_3_4);
+        .mul_add(x_rod3_frame_1_4, ratio_q_P2_u_P1 * x_rod2_frame_3_4);
     let d1_of_place_9 = w_rod4_frame_2_2
         .mul_add(x_rod4_frame_2_4, w_rod2_frame_in_rod3_frame_2_2 * x_rod3_frame_2_4);
-    let d1_of_place_10 = w_rod1_frame_in_rod2_frame_1_2
-        .mul_add(x_rod2_frame_1_4, ratio_q_P1_u_P4 * x_rod1_frame_2_3);
+    let d1_of_place_10 = x_rod2_frame_1_4.mul_add(sin_q_P2, x_rod1_frame_2_2);
     let d1_of_place_11 = w_rod4_frame_in_rod5_frame_1_2
         .mul_add(x_rod5_frame_1_6, w_rod3_frame_in_rod4_frame_3_2 * x_rod4_frame_3_4);
     let d1_of_place_12 = w_rod5_frame_3_2.mul_add(x_rod5_frame_3_6, d1_of_place_10);
@@ -3301,439 +3316,427 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> [S
         .mul_add(x_rod4_frame_1_3, x_rod2_frame_in_rod3_frame_3 * x_rod3_frame_3_3)
         + x_rod4_frame_in_rod5_frame_2 * x_rod5_frame_2_5
         + S::ratio(1, 4) * d1_of_place_15 + S::ratio(1, 12) * d1_of_place_16;
-    let u_P4_dot_of_place = x_rod4_frame_1
+    let u_P1_dot_of_place = x_rod4_frame_1
         .mul_add(
             x_rod3_frame_in_rod4_frame_1,
             x_rod3_frame_3 * x_rod2_frame_in_rod3_frame_3,
         );
-    let u_P4_dot_of_place_2 = x_rod3_frame_1
-        .mul_add(a_rod3_centre_1_3, x_rod2_frame_3 * a_rod2_centre_3_2);
-    let u_P4_dot_of_place_3 = x_rod4_frame_2
-        .mul_add(a_rod4_centre_2_3, x_rod3_frame_2 * a_rod3_centre_2_3);
-    let u_P4_dot_of_place_4 = x_rod2_frame_1
-        .mul_add(x_rod5_frame_1_3, x_rod1_frame_3 * x_rod1_frame_in_rod2_frame_3);
-    let u_P4_dot_of_place_5 = x_rod5_frame_1
-        .mul_add(a_rod5_centre_1_3, x_rod4_frame_3 * a_rod4_centre_3_3);
-    let u_P4_dot_of_place_6 = x_rod5_frame_3
-        .mul_add(a_rod5_centre_3_3, u_P4_dot_of_place_4);
-    let u_P4_dot_of_place_7 = u_P4_dot_of_place_2 + u_P4_dot_of_place_3;
-    let u_P4_dot_of_place_8 = u_P4_dot_of_place_5 - u_P4_dot_of_place_6;
-    let u_P4_dot_of_place_9 = x_rod5_frame_2
-        .mul_add(x_rod4_frame_in_rod5_frame_2, -u_P4_dot_of_place);
-    let u_P4_dot_of_place_10 = u_P4_dot_of_place_7 + u_P4_dot_of_place_8;
-    let u_P4_dot = S::ratio(1, 12)
-        * ((-ratio_q_P1_u_P4)
-            .mul_add(x_rod1_frame_2_2, ratio_q_P2_u_P4 * x_rod2_frame_3_2)
-            - x_rod2_frame_1_2 * w_rod1_frame_in_rod2_frame_1_2
-            - x_rod2_frame_2_2 * w_rod1_frame_in_rod2_frame_2_2
-            + x_rod3_frame_2_2 * w_rod2_frame_in_rod3_frame_2_2
-            + x_rod3_frame_1_2 * w_rod3_frame_1_2
-            - x_rod3_frame_3_2 * w_rod2_frame_in_rod3_frame_3_2
-            + x_rod4_frame_3_2 * w_rod3_frame_in_rod4_frame_3_2
-            + x_rod4_frame_2_2 * w_rod4_frame_2_2 + x_rod5_frame_3_2 * w_rod5_frame_3_2
-            - x_rod4_frame_1_2 * w_rod3_frame_in_rod4_frame_1_2
+    let u_P1_dot_of_place_2 = (-x_rod2_frame_3)
+        .mul_add(a_rod2_centre_3_2, x_rod2_frame_1 * x_rod5_frame_1_3);
+    let u_P1_dot_of_place_3 = (-x_rod3_frame_2)
+        .mul_add(a_rod3_centre_2_3, x_rod3_frame_1 * a_rod3_centre_1_3);
+    let u_P1_dot_of_place_4 = x_rod4_frame_3
+        .mul_add(a_rod4_centre_3_3, x_rod4_frame_2 * a_rod4_centre_2_3);
+    let u_P1_dot_of_place_5 = (-x_rod5_frame_3)
+        .mul_add(a_rod5_centre_3_3, x_rod5_frame_1 * a_rod5_centre_1_3);
+    let u_P1_dot_of_place_6 = u_P1_dot_of_place_2 - u_P1_dot_of_place_3;
+    let u_P1_dot_of_place_7 = u_P1_dot_of_place_4 - u_P1_dot_of_place_5;
+    let u_P1_dot_of_place_8 = x_rod5_frame_2
+        .mul_add(x_rod4_frame_in_rod5_frame_2, -u_P1_dot_of_place);
+    let u_P1_dot_of_place_9 = u_P1_dot_of_place_6 + u_P1_dot_of_place_7;
+    let u_P1_dot = S::ratio(1, 12)
+        * ((-x_rod2_frame_1_2).mul_add(sin_q_P2, ratio_q_P2_u_P1 * x_rod2_frame_3_2)
+            - x_rod2_frame_2_2 * cos_q_P2 + x_rod3_frame_2_2 * w_rod2_frame_in_rod3_frame_2_2
+            - x_rod3_frame_1_2 * w_rod3_frame_1_2
+            + x_rod3_frame_3_2 * w_rod2_frame_in_rod3_frame_3_2
+            - x_rod4_frame_3_2 * w_rod3_frame_in_rod4_frame_3_2
+            - x_rod4_frame_2_2 * w_rod4_frame_2_2 + x_rod5_frame_3_2 * w_rod5_frame_3_2
+            + x_rod4_frame_1_2 * w_rod3_frame_in_rod4_frame_1_2
             - x_rod5_frame_1_2 * w_rod4_frame_in_rod5_frame_1_2
             - x_rod5_frame_2_2 * w_rod4_frame_in_rod5_frame_2_2
-            + S::int(6) * u_P4_dot_of_place_9 + S::int(3) * u_P4_dot_of_place_10) / d1;
-    [u_P4_dot]
+            + S::int(6) * u_P1_dot_of_place_8 - S::int(3) * u_P1_dot_of_place_9) / d1;
+    [u_P1_dot]
 }
 
 /// Kinetic energy T.
 ///
-/// 503 operations, 5 sines and cosines.
+/// 508 operations, 5 sines and cosines.
 #[must_use]
 pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> S {
     let Parameters { l, m, .. } = *p;
     let [q_P1, q_P2, q_P3, q_P4, q_P5] = *q;
-    let [u_P4] = *u;
+    let [u_P1] = *u;
     // Sines and cosines.
-    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
     let (sin_q_P5, cos_q_P5) = q_P5.sin_cos();
     let (sin_q_P4, cos_q_P4) = q_P4.sin_cos();
+    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
     let (sin_q_P2, cos_q_P2) = q_P2.sin_cos();
     let (sin_q_P1, cos_q_P1) = q_P1.sin_cos();
     // Step by step, each after the terms that it needs.
+    let ratio_q_P2_u_P1_of_q_p5 = S::int(1) - sin_q_P5;
+    let cos_q_p5_sq = cos_q_P5 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_q_p5_2 = ratio_q_P2_u_P1_of_q_p5
+        .mul_add(S::int(2), -cos_q_p5_sq);
+    let ratio_q_P2_u_P1_of_q_p5_3 = -ratio_q_P2_u_P1_of_q_p5_2;
+    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5 = ratio_q_P2_u_P1_of_q_p5_3 * cos_q_p4_sq;
+    let ratio_q_P2_u_P1_of_q_p5_4 = ratio_q_P2_u_P1_of_q_p5 - cos_q_p5_sq;
+    let ratio_q_P2_u_P1_of_q_p5_5 = -ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_2 = ratio_q_P2_u_P1_of_q_p5_5 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_3 = ratio_q_P2_u_P1_of_q_p4_q_p5_2 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_4 = -sin_q_P4
+        * (ratio_q_P2_u_P1_of_q_p4_q_p5 + ratio_q_P2_u_P1_of_q_p5_4)
+        - ratio_q_P2_u_P1_of_q_p4_q_p5_3;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_5 = ratio_q_P2_u_P1_of_q_p4_q_p5_4 - ratio_q_P2_u_P1_of_q_p5_4;
+    let ratio_q_P2_u_P1_of_q_p4 = S::int(1) + sin_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_6 = ratio_q_P2_u_P1_of_q_p5
+        * (-cos_q_p4_sq).mul_add(S::int(2), ratio_q_P2_u_P1_of_q_p4);
+    let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place = cos_q_P3
+        * ratio_q_P2_u_P1_of_q_p4_q_p5_6
+            .mul_add(sin_q_p3_cos_q_p5, ratio_q_P2_u_P1_of_q_p4_q_p5_5 * cos_q_P3);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_7 = ratio_q_P2_u_P1_of_q_p5_5 * sin_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_8 = ratio_q_P2_u_P1_of_q_p4_q_p5_7
+        - ratio_q_P2_u_P1_of_q_p4_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_9 = (-ratio_q_P2_u_P1_of_q_p5)
+        .mul_add(S::int(3), cos_q_p5_sq) + S::int(2) * ratio_q_P2_u_P1_of_q_p4_q_p5_8;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_10 = ratio_q_P2_u_P1_of_q_p4_q_p5_7
+        .mul_add(S::int(2), -ratio_q_P2_u_P1_of_q_p5);
     let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5 = S::int(1) - cos_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_of_q_p5 = S::int(1) - sin_q_P5;
-    let ratio_q_P1_u_P4_of_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P4;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_2 = ratio_q_P1_u_P4_of_q_p4_q_p5 - S::int(1);
-    let ratio_q_P1_u_P4_of_place = ratio_q_P1_u_P4_of_q_p4_q_p5_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_2 = ratio_q_P1_u_P4_of_q_p3_q_p5 + ratio_q_P1_u_P4_of_place;
-    let ratio_q_P1_u_P4_of_place_3 = -ratio_q_P1_u_P4_of_place_2;
     let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(sin_q_p2_cos_q_p4, ratio_q_P1_u_P4_of_place_3 * cos_q_P2);
+    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_place_2 = sin_q_P2
+        * (-ratio_q_P2_u_P1_of_q_p4_q_p5_6)
+            .mul_add(cos_q_p3_cos_q_p5, ratio_q_P2_u_P1_of_q_p4_q_p5_5 * sin_q_P3);
+    let ratio_q_P2_u_P1_of_place_3 = ratio_q_P2_u_P1_of_q_p4_q_p5_2 * sin_q_P2;
+    let cos_q_p2_sin_q_p3 = cos_q_P2 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_4 = cos_q_P1
+        * (sin_q_P1
+            * (ratio_q_P2_u_P1_of_q_p4_q_p5_5 - S::int(2) * ratio_q_P2_u_P1_of_place
+                + cos_q_P2
+                    * (cos_q_P2
+                        * (ratio_q_P2_u_P1_of_q_p5
+                            + sin_q_P4
+                                * ratio_q_P2_u_P1_of_q_p4_q_p5
+                                    .mul_add(S::int(2), ratio_q_P2_u_P1_of_q_p5)
+                            + S::int(2) * ratio_q_P2_u_P1_of_q_p4_q_p5_3 + ratio_q_P2_u_P1_of_place)
+                        - sin_q_p2_cos_q_p4
+                            * ratio_q_P2_u_P1_of_q_p4_q_p5_10
+                                .mul_add(
+                                    cos_q_p3_cos_q_p5,
+                                    ratio_q_P2_u_P1_of_q_p4_q_p5_9 * sin_q_P3,
+                                )))
+            - cos_q_P1
+                * (cos_q_P5
+                    * (ratio_q_P2_u_P1_of_q_p4_q_p5_10 * cos_q_p2_cos_q_p4)
+                        .mul_add(sin_q_P3, ratio_q_P2_u_P1_of_q_p4_q_p5_6 * sin_q_P2)
+                    + cos_q_P3
+                        * (-ratio_q_P2_u_P1_of_q_p4_q_p5_9)
+                            .mul_add(
+                                cos_q_p2_cos_q_p4,
+                                S::int(2) * ratio_q_P2_u_P1_of_place_2,
+                            )))
+        + cos_q_P3
+            * (cos_q_p2_cos_q_p4 * (ratio_q_P2_u_P1_of_q_p5_2 - ratio_q_P2_u_P1_of_q_p4_q_p5_8)
+                + ratio_q_P2_u_P1_of_place_2)
+        + cos_q_P4 * cos_q_P5
+            * ratio_q_P2_u_P1_of_q_p4_q_p5_7
+                .mul_add(cos_q_p2_sin_q_p3, ratio_q_P2_u_P1_of_place_3);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5 = S::int(1) - cos_q_p3_cos_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_11 = ratio_q_P2_u_P1_of_q_p4_q_p5_7 - S::int(1);
+    let ratio_q_P2_u_P1_of_place_5 = ratio_q_P2_u_P1_of_q_p4_q_p5_11 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_6 = -ratio_q_P2_u_P1_of_q_p3_q_p5 - ratio_q_P2_u_P1_of_place_5;
+    let ratio_q_P2_u_P1_of_place_7 = ratio_q_P2_u_P1_of_place_6
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_q_p4_q_p5_2 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_place_8 = S::int(1) + ratio_q_P2_u_P1_of_place_7;
+    let ratio_q_P2_u_P1_of_place_9 = ratio_q_P2_u_P1_of_q_p4_q_p5_11
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
+    let ratio_q_P2_u_P1_of_place_10 = ratio_q_P2_u_P1_of_place_9 * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_11 = ratio_q_P2_u_P1_of_place_8
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_10);
+    let l_sq = l * l;
+    let ratio_q_P2_u_P1_of_place_12 = ratio_q_P2_u_P1_of_place_3
+        .mul_add(sin_q_P3, ratio_q_P2_u_P1_of_q_p4_q_p5_7 * cos_q_P2);
+    let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
     let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
     let sin_q_p2_sin_q_p1 = sin_q_P1 * sin_q_P2;
-    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_5 = (sin_q_P2 * sin_q_P3)
+    let ratio_q_P2_u_P1_of_place_13 = (sin_q_P2 * sin_q_P3)
         .mul_add(sin_q_P4, -cos_q_p2_cos_q_p4);
-    let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_6 = cos_q_P5
-        * sin_q_p2_sin_q_p1.mul_add(cos_q_P3, sin_q_p3_cos_q_p1)
-        + sin_q_P5
-            * (-ratio_q_P1_u_P4_of_place_5)
-                .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4);
-    let l_sin_q_p1 = l * sin_q_P1;
-    let sin_q_p3_sin_q_p5 = sin_q_P3 * sin_q_P5;
-    let ratio_q_P1_u_P4_of_place_7 = cos_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, -sin_q_p3_sin_q_p5);
-    let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
-    let cos_q_p3_sin_q_p5 = cos_q_P3 * sin_q_P5;
-    let ratio_q_P1_u_P4_of_place_8 = sin_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, cos_q_p3_sin_q_p5);
-    let ratio_q_P1_u_P4_of_place_9 = (-ratio_q_P1_u_P4_of_place_8)
+    let ratio_q_P2_u_P1_of_place_14 = l
+        * (cos_q_P5 * sin_q_p2_sin_q_p1.mul_add(cos_q_P3, sin_q_p3_cos_q_p1)
+            + sin_q_P5
+                * (-ratio_q_P2_u_P1_of_place_13)
+                    .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4));
+    let ratio_q_P2_u_P1_of_place_15 = (-sin_q_P3)
+        .mul_add(sin_q_P5, cos_q_p3_cos_q_p5 * sin_q_P4);
+    let ratio_q_P2_u_P1_of_place_16 = sin_q_p3_cos_q_p5
+        .mul_add(sin_q_P4, cos_q_P3 * sin_q_P5);
+    let ratio_q_P2_u_P1_of_place_17 = (-ratio_q_P2_u_P1_of_place_16)
         .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
-    let ratio_q_P1_u_P4_of_place_10 = ratio_q_P1_u_P4_of_place_9
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_7 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_11 = ratio_q_P1_u_P4_of_place_8
-        .mul_add(cos_q_P2, sin_q_p2_cos_q_p4 * cos_q_P5);
-    let ratio_q_P1_u_P4_of_place_12 = l_sin_q_p1 * ratio_q_P1_u_P4_of_place_11;
-    let ratio_q_P1_u_P4_of_place_13 = (-ratio_q_P1_u_P4_of_place_10)
+    let ratio_q_P2_u_P1_of_place_18 = ratio_q_P2_u_P1_of_place_17
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_15 * cos_q_P1);
+    let cos_q_p2_sin_q_p4 = cos_q_P2 * sin_q_P4;
+    let ratio_q_P2_u_P1_of_place_19 = cos_q_p3_cos_q_p1 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_place_20 = cos_q_P5
+        * (ratio_q_P2_u_P1_of_place_19
+            - sin_q_P1 * sin_q_p2_cos_q_p4.mul_add(sin_q_P3, cos_q_p2_sin_q_p4));
+    let ratio_q_P2_u_P1_of_place_21 = l * ratio_q_P2_u_P1_of_place_20;
+    let ratio_q_P2_u_P1_of_place_22 = l * ratio_q_P2_u_P1_of_place_7;
+    let ratio_q_P2_u_P1_of_place_23 = ratio_q_P2_u_P1_of_place_6
+        .mul_add(cos_q_P2, -ratio_q_P2_u_P1_of_place_3);
+    let ratio_q_P2_u_P1_of_place_24 = ratio_q_P2_u_P1_of_place_16 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_25 = sin_q_p2_cos_q_p4
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_24);
+    let ratio_q_P2_u_P1_of_place_26 = l * ratio_q_P2_u_P1_of_place_25;
+    let ratio_q_P2_u_P1_of_place_27 = ratio_q_P2_u_P1_of_place_26 * sin_q_P1;
+    let ratio_q_P2_u_P1_of_place_28 = (-ratio_q_P2_u_P1_of_place_18)
         .mul_add(
-            ratio_q_P1_u_P4_of_place_12,
-            ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_of_place_6 * l_sin_q_p1,
+            ratio_q_P2_u_P1_of_place_27,
+            ratio_q_P2_u_P1_of_place_14 * ratio_q_P2_u_P1_of_place_23 * sin_q_P1,
         );
-    let ratio_q_P1_u_P4_of_place_14 = ratio_q_P1_u_P4_of_q_p4_q_p5_2
-        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
-    let ratio_q_P1_u_P4_of_place_15 = ratio_q_P1_u_P4_of_place_14 * cos_q_P2;
-    let ratio_q_P1_u_P4_of_place_16 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_p2_cos_q_p4;
-    let ratio_q_P1_u_P4_of_place_17 = ratio_q_P1_u_P4_of_place_3
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_16);
-    let ratio_q_P1_u_P4_of_q_p4 = S::int(1) + sin_q_P4;
-    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_3 = cos_q_p4_sq
-        + sin_q_P5 * (ratio_q_P1_u_P4_of_q_p4 - cos_q_p4_sq);
-    let ratio_q_P1_u_P4_of_place_18 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_19 = cos_q_p2_cos_q_p4 * (sin_q_P5 + ratio_q_P1_u_P4_of_q_p4_q_p5);
-    let ratio_q_P1_u_P4_of_place_20 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_21 = sin_q_p3_cos_q_p5 * ratio_q_P1_u_P4_of_q_p4;
-    let l_sq = l * l;
-    let ratio_q_P1_u_P4_of_place_22 = -l_sq
-        * (sin_q_p3_cos_q_p1 * cos_q_P1
-            * (ratio_q_P1_u_P4_of_place_20 + ratio_q_P1_u_P4_of_place_21)
-            + sin_q_P1
-                * (sin_q_P2
-                    * (cos_q_P3
-                        * (sin_q_P1
-                            * (sin_q_P2
-                                * cos_q_p3_cos_q_p5
-                                    .mul_add(
-                                        ratio_q_P1_u_P4_of_q_p4, -ratio_q_P1_u_P4_of_place_18,
-                                    ) + ratio_q_P1_u_P4_of_place_19)
-                            + cos_q_P1
-                                * ratio_q_P1_u_P4_of_place_21
-                                    .mul_add(S::int(2), ratio_q_P1_u_P4_of_place_20))
-                        - sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_of_place_18)
-                    + sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_of_place_19));
-    let ratio_q_P1_u_P4_of_place_23 = sin_q_P5 * (S::int(1) - sin_q_P3)
-        + sin_q_P4 * (sin_q_P5 - ratio_q_P1_u_P4_of_q_p3_q_p5);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_2 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_3 = cos_q_p3_cos_q_p5 + ratio_q_P1_u_P4_of_q_p3_q_p5_2;
-    let ratio_q_P1_u_P4_of_place_24 = sin_q_p2_cos_q_p4
-        .mul_add(ratio_q_P1_u_P4_of_q_p3_q_p5_3, ratio_q_P1_u_P4_of_place_23 * cos_q_P2);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_4 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_25 = ratio_q_P1_u_P4_of_place_8 * cos_q_P1;
-    let sin_q_p1_l_sq = l_sq * sin_q_P1;
-    let ratio_q_P1_u_P4_of_place_26 = sin_q_p1_l_sq
+    let ratio_q_P2_u_P1_of_place_29 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_7)
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_q_p4_q_p5_2 * cos_q_p2_sin_q_p3);
+    let ratio_q_P2_u_P1_of_place_30 = l * ratio_q_P2_u_P1_of_place_29;
+    let ratio_q_P2_u_P1_of_place_31 = l_sq * ratio_q_P2_u_P1_of_place_25;
+    let ratio_q_P2_u_P1_of_q_p3 = sin_q_P3 - S::int(1);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_2 = ratio_q_P2_u_P1_of_q_p5_5 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_3 = (-ratio_q_P2_u_P1_of_q_p3)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_q_p3_q_p5_2);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_4 = ratio_q_P2_u_P1_of_q_p5_5 * sin_q_P3;
+    let cos_q_p2_sin_q_p1 = sin_q_P1 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_32 = ratio_q_P2_u_P1_of_q_p4_q_p5_7 * cos_q_p2_sin_q_p1;
+    let ratio_q_P2_u_P1_of_place_33 = cos_q_p2_sin_q_p1
+        * (sin_q_P1 * cos_q_P5
+            * (cos_q_p2_sin_q_p4
+                - sin_q_P3
+                    * sin_q_p2_cos_q_p4
+                        .mul_add(ratio_q_P2_u_P1_of_q_p3, cos_q_p2_sin_q_p4))
+            + cos_q_P3
+                * (cos_q_P4
+                    * (-ratio_q_P2_u_P1_of_q_p3_q_p5_3)
+                        .mul_add(
+                            cos_q_P1,
+                            sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_of_q_p3_q_p5_4,
+                        ) + ratio_q_P2_u_P1_of_place_32));
+    let ratio_q_P2_u_P1_of_place_34 = ratio_q_P2_u_P1_of_place_22
+        * (ratio_q_P2_u_P1_of_place_14
+            * (-ratio_q_P2_u_P1_of_q_p4_q_p5_2)
+                .mul_add(cos_q_p3_cos_q_p1, ratio_q_P2_u_P1_of_place_12 * sin_q_P1)
+            - ratio_q_P2_u_P1_of_place_18 * ratio_q_P2_u_P1_of_place_21)
+        + ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_of_place_30
+        + ratio_q_P2_u_P1_of_place_31 * ratio_q_P2_u_P1_of_place_33;
+    let ratio_q_P2_u_P1_of_place_35 = l
+        * (sin_q_P1 * (cos_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_place_5)
+            + ratio_q_P2_u_P1_of_place_10 * sin_q_P2);
+    let ratio_q_P2_u_P1_of_place_36 = ratio_q_P2_u_P1_of_place_9 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_5 = cos_q_p3_cos_q_p5 + ratio_q_P2_u_P1_of_q_p3_q_p5_4;
+    let ratio_q_P2_u_P1_of_place_37 = cos_q_P1
+        * (sin_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p3_q_p5_2);
+    let ratio_q_P2_u_P1_of_place_38 = sin_q_P1
         * (sin_q_P2
-            * (cos_q_P1 * cos_q_P4 * (sin_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_4)
-                + ratio_q_P1_u_P4_of_place_24 * sin_q_P1) + ratio_q_P1_u_P4_of_place_25 * cos_q_P2);
-    let ratio_q_P1_u_P4_of_place_27 = ratio_q_P1_u_P4_of_place_17
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_22,
-            l * ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_15,
-        ) + ratio_q_P1_u_P4_of_place_11 * ratio_q_P1_u_P4_of_place_26;
-    let ratio_q_P1_u_P4_of_place_28 = sin_q_p2_cos_q_p4
-        .mul_add(
-            ratio_q_P1_u_P4_of_q_p3_q_p5_2,
-            ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_P2,
-        );
-    let ratio_q_P1_u_P4_of_place_29 = S::int(1) + ratio_q_P1_u_P4_of_place_17;
-    let ratio_q_P1_u_P4_of_place_30 = ratio_q_P1_u_P4_of_place_14 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_31 = ratio_q_P1_u_P4_of_place_29
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_30);
-    let ratio_q_P1_u_P4_of_place_32 = l * ratio_q_P1_u_P4_of_place_31;
-    let ratio_q_P1_u_P4_of_place_33 = sin_q_P5
-        * (-cos_q_p3_cos_q_p1).mul_add(sin_q_P2, sin_q_P1 * sin_q_P3)
-        - cos_q_P5
-            * ratio_q_P1_u_P4_of_place_5
-                .mul_add(cos_q_P1, sin_q_P1 * cos_q_P3 * sin_q_P4);
-    let ratio_q_P1_u_P4_of_place_34 = (-ratio_q_P1_u_P4_of_place_14)
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_29 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_35 = l * ratio_q_P1_u_P4_of_place_6;
-    let ratio_q_P1_u_P4_of_place_36 = l
-        * ratio_q_P1_u_P4_of_place_34
+            * (sin_q_P1
+                * (cos_q_P2
+                    * (sin_q_P4 * (ratio_q_P2_u_P1_of_q_p5 - cos_q_p3_cos_q_p5)
+                        + ratio_q_P2_u_P1_of_q_p3 * sin_q_P5)
+                    - sin_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p3_q_p5_5)
+                - ratio_q_P2_u_P1_of_place_37 * cos_q_P4) - ratio_q_P2_u_P1_of_place_24 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_12 = cos_q_p4_sq
+        + sin_q_P5 * (ratio_q_P2_u_P1_of_q_p4 - cos_q_p4_sq);
+    let ratio_q_P2_u_P1_of_place_39 = ratio_q_P2_u_P1_of_q_p4_q_p5_12 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_13 = sin_q_P5 + ratio_q_P2_u_P1_of_q_p4_q_p5_7;
+    let ratio_q_P2_u_P1_of_place_40 = cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p4_q_p5_13;
+    let ratio_q_P2_u_P1_of_place_41 = ratio_q_P2_u_P1_of_q_p4_q_p5_12 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_42 = ratio_q_P2_u_P1_of_q_p4 * sin_q_p3_cos_q_p5;
+    let ratio_q_P2_u_P1_of_place_43 = ratio_q_P2_u_P1_of_place_7 * l_sq;
+    let ratio_q_P2_u_P1_of_place_44 = l * ratio_q_P2_u_P1_of_place_28 * ratio_q_P2_u_P1_of_place_36
+        - ratio_q_P2_u_P1_of_place_31 * ratio_q_P2_u_P1_of_place_38
+        - ratio_q_P2_u_P1_of_place_43
+            * (sin_q_p3_cos_q_p1 * cos_q_P1
+                * (ratio_q_P2_u_P1_of_place_41 + ratio_q_P2_u_P1_of_place_42)
+                + sin_q_P1
+                    * (sin_q_P2
+                        * (cos_q_P3
+                            * (sin_q_P1
+                                * (sin_q_P2
+                                    * ratio_q_P2_u_P1_of_q_p4
+                                        .mul_add(cos_q_p3_cos_q_p5, -ratio_q_P2_u_P1_of_place_39)
+                                    + ratio_q_P2_u_P1_of_place_40)
+                                + cos_q_P1
+                                    * ratio_q_P2_u_P1_of_place_42
+                                        .mul_add(S::int(2), ratio_q_P2_u_P1_of_place_41))
+                            - sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_of_place_39)
+                        + sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_of_place_40));
+    let cos_q_p3_sin_q_p1 = sin_q_P1 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_45 = l
+        * ratio_q_P2_u_P1_of_q_p4_q_p5_2
+            .mul_add(cos_q_p3_sin_q_p1, ratio_q_P2_u_P1_of_place_12 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_46 = l_sq
+        * ratio_q_P2_u_P1_of_place_29
             .mul_add(
-                ratio_q_P1_u_P4_of_place_35,
-                l * ratio_q_P1_u_P4_of_place_10 * ratio_q_P1_u_P4_of_place_33,
-            );
-    let ratio_q_P1_u_P4_of_q_p2 = S::int(1) - sin_q_P2;
-    let ratio_q_P1_u_P4_of_place_37 = sin_q_p1_l_sq
-        * (cos_q_P4
-            * (cos_q_P1
-                * (ratio_q_P1_u_P4_of_q_p3_q_p5_4 + cos_q_P5 * (ratio_q_P1_u_P4_of_q_p2 - sin_q_P3))
-                - sin_q_p2_sin_q_p1 * ratio_q_P1_u_P4_of_q_p3_q_p5_3)
-            - cos_q_P2
-                * ratio_q_P1_u_P4_of_place_23
-                    .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_25));
-    let ratio_q_P1_u_P4_of_place_38 = ratio_q_P1_u_P4_of_place_11
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_37,
-            ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_of_place_36,
-        );
-    let ratio_q_P1_u_P4_of_place_39 = cos_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_place;
-    let ratio_q_P1_u_P4_of_place_40 = ratio_q_P1_u_P4_of_place_39
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_30 * sin_q_P2);
-    let ratio_q_P1_u_P4_of_place_41 = l * ratio_q_P1_u_P4_of_place_40;
-    let ratio_q_P1_u_P4_of_q_p2_2 = -ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_place_42 = -l_sq * cos_q_P1
-        * (sin_q_P1
-            * (-ratio_q_P1_u_P4_of_place_7)
-                .mul_add(ratio_q_P1_u_P4_of_q_p2, ratio_q_P1_u_P4_of_place_24 * cos_q_P2)
-            + cos_q_P1
-                * (cos_q_P3
-                    * (cos_q_p2_cos_q_p4 + sin_q_P5 * (ratio_q_P1_u_P4_of_q_p2 - cos_q_p2_cos_q_p4))
-                    + sin_q_p3_cos_q_p5
-                        * (-ratio_q_P1_u_P4_of_q_p2_2)
-                            .mul_add(sin_q_P4, cos_q_p2_cos_q_p4)));
-    let ratio_q_P1_u_P4_of_place_43 = (-ratio_q_P1_u_P4_of_place_15)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_37,
-            ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_of_place_42,
-        );
-    let ratio_q_P1_u_P4_of_place_44 = (-ratio_q_P1_u_P4_of_place_9)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_7 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_45 = l * ratio_q_P1_u_P4_of_place_44;
-    let ratio_q_P1_u_P4_of_place_46 = ratio_q_P1_u_P4_of_place_11
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_42,
-            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_36,
-        );
-    let ratio_q_P1_u_P4_of_place_47 = ratio_q_P1_u_P4_of_place_4 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_48 = l * ratio_q_P1_u_P4_of_place_47;
-    let ratio_q_P1_u_P4_of_place_49 = S::int(1)
-        / (ratio_q_P1_u_P4_of_place_38
+                ratio_q_P2_u_P1_of_place_38,
+                ratio_q_P2_u_P1_of_place_33 * ratio_q_P2_u_P1_of_place_36,
+            )
+        + ratio_q_P2_u_P1_of_place_43
+            * (sin_q_P1
+                * (sin_q_P2
+                    * (cos_q_p3_cos_q_p5
+                        * cos_q_p2_sin_q_p1
+                            .mul_add(sin_q_P4, -ratio_q_P2_u_P1_of_place_19)
+                        + sin_q_P3
+                            * (ratio_q_P2_u_P1_of_place_32
+                                + cos_q_P4
+                                    * (cos_q_P1
+                                        * (-ratio_q_P2_u_P1_of_q_p3_q_p5_2)
+                                            .mul_add(S::int(2), sin_q_p3_cos_q_p5)
+                                        + sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_of_q_p3_q_p5_5)))
+                    + cos_q_p2_sin_q_p4 * ratio_q_P2_u_P1_of_place_37)
+                - ratio_q_P2_u_P1_of_place_19 * ratio_q_P2_u_P1_of_place_37);
+    let ratio_q_P2_u_P1_of_place_47 = l
+        * (-ratio_q_P2_u_P1_of_place_17)
+            .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_15 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_48 = l * ratio_q_P2_u_P1_of_place_23 * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_49 = l
+        / ((-ratio_q_P2_u_P1_of_place_34)
             .mul_add(
-                ratio_q_P1_u_P4_of_place_41,
-                ratio_q_P1_u_P4_of_place_27 * ratio_q_P1_u_P4_of_place_32,
-            ) + ratio_q_P1_u_P4_of_place_43 * ratio_q_P1_u_P4_of_place_45
-            + ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_of_place_48);
-    let ratio_q_P1_u_P4_of_place_50 = l * ratio_q_P1_u_P4_of_place_49;
-    let ratio_q_P1_u_P4_of_place_51 = ratio_q_P1_u_P4_of_place_50
-        * ratio_q_P1_u_P4_of_place_28
-            .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_q_p3_q_p5_4 * sin_q_P1 * cos_q_P4);
-    let ratio_q_P1_u_P4_of_place_52 = ratio_q_P1_u_P4_of_place_50
-        * (-ratio_q_P1_u_P4_of_q_p4_q_p5)
-            .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_16 * sin_q_P3);
-    let ratio_q_P1_u_P4_of_place_53 = (-ratio_q_P1_u_P4_of_place_11)
+                ratio_q_P2_u_P1_of_place_35,
+                ratio_q_P2_u_P1_of_place_44 * ratio_q_P2_u_P1_of_place_45,
+            ) + ratio_q_P2_u_P1_of_place_46 * ratio_q_P2_u_P1_of_place_47
+            + ratio_q_P2_u_P1_of_place_4 * l_sq * ratio_q_P2_u_P1_of_place_48);
+    let ratio_q_P2_u_P1_of_place_50 = l_sq * ratio_q_P2_u_P1_of_place_49;
+    let ratio_q_P2_u_P1_of_place_51 = ratio_q_P2_u_P1_of_place_14
         .mul_add(
-            ratio_q_P1_u_P4_of_place_12,
-            ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_of_place_35,
+            ratio_q_P2_u_P1_of_place_29,
+            ratio_q_P2_u_P1_of_place_20 * ratio_q_P2_u_P1_of_place_26,
         );
-    let ratio_q_P1_u_P4_of_place_54 = l
-        * sin_q_p2_sin_q_p1
-            .mul_add(ratio_q_P1_u_P4_of_place_7, ratio_q_P1_u_P4_of_place_25);
-    let ratio_q_P1_u_P4_of_place_55 = (-ratio_q_P1_u_P4_of_place_12)
+    let ratio_q_P2_u_P1_of_place_52 = ratio_q_P2_u_P1_of_place_16
+        .mul_add(cos_q_P1, sin_q_p2_sin_q_p1 * ratio_q_P2_u_P1_of_place_15);
+    let ratio_q_P2_u_P1_of_place_53 = (-ratio_q_P2_u_P1_of_place_26)
         .mul_add(
-            ratio_q_P1_u_P4_of_place_15,
-            ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_of_place_54,
+            ratio_q_P2_u_P1_of_place_52,
+            ratio_q_P2_u_P1_of_place_14 * ratio_q_P2_u_P1_of_place_36,
         );
-    let ratio_q_P1_u_P4_of_place_56 = (-ratio_q_P1_u_P4_of_place_11)
+    let ratio_q_P2_u_P1_of_place_54 = ratio_q_P2_u_P1_of_place_30
         .mul_add(
-            ratio_q_P1_u_P4_of_place_54,
-            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_35,
+            ratio_q_P2_u_P1_of_place_52,
+            ratio_q_P2_u_P1_of_place_21 * ratio_q_P2_u_P1_of_place_36,
         );
-    let ratio_q_P1_u_P4_of_place_57 = cos_q_p3_cos_q_p1 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_58 = ratio_q_P1_u_P4_of_place_50
-        * (-ratio_q_P1_u_P4_of_q_p5_2)
+    let ratio_q_P2_u_P1_of_place_55 = ratio_q_P2_u_P1_of_place_49
+        * (-ratio_q_P2_u_P1_of_place_9)
+            .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_8 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_56 = ratio_q_P2_u_P1_of_place_50
+        * (sin_q_P5 * (-cos_q_p3_cos_q_p1).mul_add(sin_q_P2, sin_q_P1 * sin_q_P3)
+            - cos_q_P5
+                * cos_q_p3_sin_q_p1
+                    .mul_add(sin_q_P4, ratio_q_P2_u_P1_of_place_13 * cos_q_P1));
+    let ratio_q_P2_u_P1_of_place_57 = ratio_q_P2_u_P1_of_place_56 * cos_q_P5;
+    let ratio_q_P2_u_P1 = ratio_q_P2_u_P1_of_place_55
+        * ((-ratio_q_P2_u_P1_of_place_45)
             .mul_add(
-                ratio_q_P1_u_P4_of_place_57,
-                ratio_q_P1_u_P4_of_place_28 * sin_q_P1,
-            );
-    let ratio_q_P1_u_P4_of_q_p5_3 = S::int(2) - sin_q_P5;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_5 = sin_q_P3 + cos_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_of_place_59 = cos_q_P5
-        * (ratio_q_P1_u_P4_of_place_57
-            - sin_q_P1 * sin_q_p2_cos_q_p4.mul_add(sin_q_P3, cos_q_P2 * sin_q_P4));
-    let ratio_q_P1_u_P4_of_place_60 = l_sq * ratio_q_P1_u_P4_of_place_50
-        * ratio_q_P1_u_P4_of_place_59;
-    let ratio_q_P1_u_P4_of_place_61 = ratio_q_P1_u_P4_of_place_60 * cos_q_P5;
-    let ratio_q_P1_u_P4 = ratio_q_P1_u_P4_of_place_52
-        * ((-ratio_q_P1_u_P4_of_place_13)
+                ratio_q_P2_u_P1_of_place_53,
+                ratio_q_P2_u_P1_of_place_35 * ratio_q_P2_u_P1_of_place_51,
+            ) - ratio_q_P2_u_P1_of_place_47 * ratio_q_P2_u_P1_of_place_54)
+        + ratio_q_P2_u_P1_of_place_4 * ratio_q_P2_u_P1_of_place_11 * ratio_q_P2_u_P1_of_place_50
+        + ratio_q_P2_u_P1_of_place_57 * (ratio_q_P2_u_P1_of_q_p4_q_p5_7 - ratio_q_P2_u_P1_of_q_p5);
+    let ratio_q_P3_u_P1_of_place = (-ratio_q_P2_u_P1_of_place_25)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_27,
+            ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_of_place_14,
+        );
+    let ratio_q_P3_u_P1_of_place_2 = ratio_q_P2_u_P1_of_place_27
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_29,
+            ratio_q_P2_u_P1_of_place_20 * ratio_q_P2_u_P1_of_place_22,
+        );
+    let ratio_q_P3_u_P1_of_place_3 = ratio_q_P2_u_P1_of_place_11 * ratio_q_P2_u_P1_of_place_49;
+    let ratio_q_P3_u_P1_of_place_4 = ratio_q_P2_u_P1_of_place_56 * cos_q_P4;
+    let ratio_q_P3_u_P1 = ratio_q_P2_u_P1_of_place_55
+        * (ratio_q_P2_u_P1_of_place_45
             .mul_add(
-                ratio_q_P1_u_P4_of_place_41,
-                ratio_q_P1_u_P4_of_place_22 * ratio_q_P1_u_P4_of_place_47,
-            ) - ratio_q_P1_u_P4_of_place_26 * ratio_q_P1_u_P4_of_place_44)
-        + ratio_q_P1_u_P4_of_place_27 * ratio_q_P1_u_P4_of_place_51
-        + ratio_q_P1_u_P4_of_place_58
-            * ((-ratio_q_P1_u_P4_of_place_41)
+                ratio_q_P3_u_P1_of_place,
+                ratio_q_P2_u_P1_of_place_48 * ratio_q_P2_u_P1_of_place_51,
+            ) + ratio_q_P2_u_P1_of_place_47 * ratio_q_P3_u_P1_of_place_2)
+        + ratio_q_P2_u_P1_of_place_34 * ratio_q_P3_u_P1_of_place_3
+        + ratio_q_P3_u_P1_of_place_4
+            * ((-ratio_q_P2_u_P1_of_q_p3_q_p5_3)
+                .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_q_p5) + ratio_q_P2_u_P1_of_q_p3_q_p5_4);
+    let ratio_q_P4_u_P1_of_place = (-(ratio_q_P2_u_P1_of_place_9 * ratio_q_P2_u_P1_of_place_26))
+        .mul_add(
+            cos_q_p2_sin_q_p1,
+            ratio_q_P2_u_P1_of_place_22 * ratio_q_P2_u_P1_of_place_52,
+        );
+    let ratio_q_P4_u_P1 = ratio_q_P2_u_P1_of_place_57
+        * (sin_q_P5 - sin_q_P3 - cos_q_p3_cos_q_p5
+            - sin_q_P4
+                * (ratio_q_P2_u_P1_of_q_p4_q_p5_7 - ratio_q_P2_u_P1_of_q_p3_q_p5
+                    + sin_q_P3 * (S::int(2) - ratio_q_P2_u_P1_of_q_p4_q_p5_13)))
+        + ratio_q_P2_u_P1_of_place_44 * ratio_q_P3_u_P1_of_place_3
+        + ratio_q_P2_u_P1_of_place_55
+            * (ratio_q_P2_u_P1_of_place_35
                 .mul_add(
-                    ratio_q_P1_u_P4_of_place_53,
-                    ratio_q_P1_u_P4_of_place_45 * ratio_q_P1_u_P4_of_place_55,
-                ) - ratio_q_P1_u_P4_of_place_48 * ratio_q_P1_u_P4_of_place_56)
-        + ratio_q_P1_u_P4_of_place_61
-            * (sin_q_P5
-                + sin_q_P4
-                    * (ratio_q_P1_u_P4_of_q_p3_q_p5 - ratio_q_P1_u_P4_of_q_p4_q_p5
-                        + sin_q_P3 * (ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p5_3))
-                - ratio_q_P1_u_P4_of_q_p3_q_p5_5);
-    let w_rod1_frame_2 = u_P4 * ratio_q_P1_u_P4;
-    let ratio_q_P2_u_P4_of_place = l_sq * ratio_q_P1_u_P4_of_place_33;
-    let ratio_q_P2_u_P4_of_place_2 = -sin_q_P4
-        * ratio_q_P1_u_P4_of_q_p5_2.mul_add(sin_q_P2, ratio_q_P1_u_P4_of_q_p5)
-        - ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P2_u_P4 = -ratio_q_P1_u_P4_of_place_52
-        * (ratio_q_P1_u_P4_of_place_36
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_40,
-                ratio_q_P1_u_P4_of_place_22 * ratio_q_P1_u_P4_of_place_31,
-            ) + ratio_q_P1_u_P4_of_place_42 * ratio_q_P1_u_P4_of_place_44)
-        + ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_of_place_51
-        + ratio_q_P1_u_P4_of_place_58
-            * (ratio_q_P2_u_P4_of_place
-                * (-ratio_q_P1_u_P4_of_place_11)
-                    .mul_add(
-                        ratio_q_P1_u_P4_of_place_40,
-                        ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_44,
-                    ) + ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_of_place_56)
-        + ratio_q_P1_u_P4_of_place_61
-            * (sin_q_p3_cos_q_p5
-                * ratio_q_P1_u_P4_of_q_p2_2
-                    .mul_add(cos_q_P4, ratio_q_P1_u_P4_of_q_p4 * cos_q_P2)
-                - cos_q_P3
-                    * (cos_q_P2
-                        * ratio_q_P1_u_P4_of_q_p5_3
-                            .mul_add(sin_q_P4, ratio_q_P1_u_P4_of_q_p5_3)
-                        + cos_q_P4
-                            * (ratio_q_P1_u_P4_of_place_16 + ratio_q_P2_u_P4_of_place_2)));
-    let ratio_q_P3_u_P4 = ratio_q_P1_u_P4_of_place_52
-        * ((-ratio_q_P1_u_P4_of_place_37)
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_44,
-                ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_32,
-            ) + ratio_q_P1_u_P4_of_place_36 * ratio_q_P1_u_P4_of_place_47)
-        + ratio_q_P1_u_P4_of_place_38 * ratio_q_P1_u_P4_of_place_51
-        + ratio_q_P1_u_P4_of_place_58
-            * (ratio_q_P2_u_P4_of_place
-                * ratio_q_P1_u_P4_of_place_11
-                    .mul_add(
-                        ratio_q_P1_u_P4_of_place_47,
-                        ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_of_place_44,
-                    ) + ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_of_place_53)
-        + ratio_q_P1_u_P4_of_place_60
-            * (cos_q_P5
-                * (S::int(1) - sin_q_p3_sin_q_p5 * sin_q_P3
-                    + sin_q_P2
-                        * (sin_q_P3 * (S::int(1) + sin_q_p3_sin_q_p5) - sin_q_P5
-                            - ratio_q_P1_u_P4_of_q_p3_q_p5) + ratio_q_P1_u_P4_of_place_16
-                    + sin_q_P4
-                        * (ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5 * sin_q_P2
-                            + ratio_q_P1_u_P4_of_place_16
-                            - sin_q_P3
-                                * (ratio_q_P1_u_P4_of_place_2 + ratio_q_P1_u_P4_of_place_16
-                                    + sin_q_P2
-                                        * (sin_q_P5 - S::int(3)
-                                            - sin_q_P4
-                                                * (ratio_q_P1_u_P4_of_q_p5 + ratio_q_P1_u_P4_of_q_p3_q_p5_2)
-                                            + ratio_q_P1_u_P4_of_q_p3_q_p5_5))))
-                - cos_q_p3_sin_q_p5
-                    * ratio_q_P2_u_P4_of_place_2
-                        .mul_add(
-                            sin_q_P3,
-                            ratio_q_P1_u_P4_of_place_16 + ratio_q_P1_u_P4_of_q_p2,
-                        ));
-    let ratio_q_P5_u_P4_of_place = ratio_q_P1_u_P4_of_place_15
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_47,
-            ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_of_place_40,
-        );
-    let ratio_q_P5_u_P4 = ratio_q_P1_u_P4_of_place_52
-        * (ratio_q_P1_u_P4_of_place_37
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_40,
-                ratio_q_P1_u_P4_of_place_26 * ratio_q_P1_u_P4_of_place_31,
-            ) + ratio_q_P1_u_P4_of_place_42 * ratio_q_P1_u_P4_of_place_47)
-        + ratio_q_P1_u_P4_of_place_43 * ratio_q_P1_u_P4_of_place_51
-        - ratio_q_P1_u_P4_of_place_49 * ratio_q_P1_u_P4_of_place_59
-            * (ratio_q_P1_u_P4_of_place_32
-                * (-ratio_q_P1_u_P4_of_place_17 * l_sq
-                    * (-sin_q_p2_sin_q_p1)
-                        .mul_add(
-                            ratio_q_P1_u_P4_of_place_14,
-                            ratio_q_P1_u_P4_of_place_39 * cos_q_P1,
-                        )
-                    + ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_of_place_15 * sin_q_p1_l_sq)
-                + l * l_sq * ratio_q_P1_u_P4_of_place_34 * ratio_q_P5_u_P4_of_place)
-        - ratio_q_P1_u_P4_of_place_58
-            * ratio_q_P2_u_P4_of_place
+                    ratio_q_P3_u_P1_of_place,
+                    ratio_q_P2_u_P1_of_place_48 * ratio_q_P2_u_P1_of_place_53,
+                ) - ratio_q_P2_u_P1_of_place_47 * ratio_q_P4_u_P1_of_place);
+    let ratio_q_P5_u_P1 = ratio_q_P3_u_P1_of_place_4
+        * (sin_q_P4 * ratio_q_P2_u_P1_of_q_p5_3.mul_add(sin_q_P3, ratio_q_P2_u_P1_of_q_p5_2)
+            + ratio_q_P2_u_P1_of_q_p5 * (ratio_q_P2_u_P1_of_q_p3_q_p5 - sin_q_P3))
+        + ratio_q_P2_u_P1_of_place_46 * ratio_q_P3_u_P1_of_place_3
+        + ratio_q_P2_u_P1_of_place_55
+            * (ratio_q_P2_u_P1_of_place_35
                 .mul_add(
-                    ratio_q_P5_u_P4_of_place,
-                    ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_of_place_55,
-                );
-    let w_rod1_frame_in_rod2_frame_1 = w_rod1_frame_2 * sin_q_P2;
-    let w_rod1_frame_in_rod2_frame_2 = w_rod1_frame_2 * cos_q_P2;
-    let w_rod2_frame_3 = u_P4 * ratio_q_P2_u_P4;
+                    ratio_q_P3_u_P1_of_place_2,
+                    ratio_q_P2_u_P1_of_place_48 * ratio_q_P2_u_P1_of_place_54,
+                ) + ratio_q_P2_u_P1_of_place_45 * ratio_q_P4_u_P1_of_place);
+    let w_rod1_frame_in_rod2_frame_1 = u_P1 * sin_q_P2;
+    let w_rod1_frame_in_rod2_frame_2 = u_P1 * cos_q_P2;
+    let w_rod2_frame_3 = u_P1 * ratio_q_P2_u_P1;
     let m_l_sq = m * l_sq;
     let H_rod2_3 = w_rod2_frame_3 * m_l_sq;
     let H_rod2_1 = w_rod1_frame_in_rod2_frame_1 * m_l_sq;
-    let w_rod3_frame_1 = u_P4.mul_add(ratio_q_P3_u_P4, w_rod1_frame_in_rod2_frame_1);
-    let w_rod2_frame_in_rod3_frame_3 = w_rod2_frame_3
+    let w_rod3_frame_1 = u_P1.mul_add(ratio_q_P3_u_P1, w_rod1_frame_in_rod2_frame_1);
+    let w_rod2_frame_in_rod3_frame_3 = (-w_rod2_frame_3)
         .mul_add(cos_q_P3, w_rod1_frame_in_rod2_frame_2 * sin_q_P3);
-    let w_rod2_frame_in_rod3_frame_2 = (-w_rod2_frame_3)
+    let w_rod2_frame_in_rod3_frame_2 = w_rod2_frame_3
         .mul_add(sin_q_P3, w_rod1_frame_in_rod2_frame_2 * cos_q_P3);
     let H_rod3_2 = w_rod2_frame_in_rod3_frame_2 * m_l_sq;
     let H_rod3_1 = w_rod3_frame_1 * m_l_sq;
     let w_rod3_frame_in_rod4_frame_3 = (-w_rod2_frame_in_rod3_frame_3)
         .mul_add(cos_q_P4, w_rod3_frame_1 * sin_q_P4);
-    let w_rod4_frame_2 = u_P4 - w_rod2_frame_in_rod3_frame_2;
+    let w_rod4_frame_2 = u_P1.mul_add(ratio_q_P4_u_P1, -w_rod2_frame_in_rod3_frame_2);
     let w_rod3_frame_in_rod4_frame_1 = w_rod2_frame_in_rod3_frame_3
         .mul_add(sin_q_P4, w_rod3_frame_1 * cos_q_P4);
     let H_rod4_2 = w_rod4_frame_2 * m_l_sq;
     let H_rod4_3 = w_rod3_frame_in_rod4_frame_3 * m_l_sq;
     let w_rod4_frame_in_rod5_frame_1 = (-w_rod4_frame_2)
         .mul_add(sin_q_P5, w_rod3_frame_in_rod4_frame_1 * cos_q_P5);
-    let w_rod5_frame_3 = u_P4.mul_add(ratio_q_P5_u_P4, w_rod3_frame_in_rod4_frame_3);
+    let w_rod5_frame_3 = u_P1.mul_add(ratio_q_P5_u_P1, -w_rod3_frame_in_rod4_frame_3);
     let H_rod5_3 = w_rod5_frame_3 * m_l_sq;
     let H_rod5_1 = w_rod4_frame_in_rod5_frame_1 * m_l_sq;
-    let H_rod1_2 = w_rod1_frame_2 * m_l_sq;
-    let x_rod1_frame_3_3 = l * w_rod1_frame_2;
-    let x_rod2_frame_1_5 = l * w_rod2_frame_3;
-    let x_rod2_frame_3_5_of_place = l * w_rod1_frame_in_rod2_frame_1;
-    let x_rod2_frame_3_5 = (-x_rod1_frame_3_3)
-        .mul_add(S::int(2), x_rod2_frame_3_5_of_place);
-    let x_rod3_frame_3_4 = x_rod2_frame_3_5_of_place - x_rod1_frame_3_3;
-    let x_rod2_frame_in_rod3_frame_2_10 = x_rod3_frame_3_4 * sin_q_P3;
-    let x_rod2_frame_in_rod3_frame_3_10 = x_rod3_frame_3_4 * cos_q_P3;
-    let x_rod3_frame_1_5_of_place = l * w_rod2_frame_in_rod3_frame_2;
-    let x_rod3_frame_1_5 = x_rod2_frame_1_5
-        .mul_add(S::int(2), x_rod3_frame_1_5_of_place);
+    let x_rod1_frame_in_rod2_frame_3 = l * u_P1;
+    let x_rod5_frame_3_7_of_place = l * w_rod1_frame_in_rod2_frame_1;
+    let x_rod5_frame_3_7 = x_rod5_frame_3_7_of_place - x_rod1_frame_in_rod2_frame_3;
+    let x_rod2_frame_in_rod3_frame_2_10 = x_rod5_frame_3_7 * sin_q_P3;
+    let x_rod2_frame_in_rod3_frame_3_10 = x_rod5_frame_3_7 * cos_q_P3;
     let l_w_rod3_frame_1 = l * w_rod3_frame_1;
+    let x_rod5_frame_2_6 = l_w_rod3_frame_1 - x_rod2_frame_in_rod3_frame_2_10;
+    let H_rod1_2 = u_P1 * m_l_sq;
+    let x_rod2_frame_1_5 = l * w_rod2_frame_3;
+    let x_rod2_frame_3_5 = (-x_rod1_frame_in_rod2_frame_3)
+        .mul_add(S::int(2), x_rod5_frame_3_7_of_place);
+    let x_rod3_frame_1_5_of_place = l * w_rod2_frame_in_rod3_frame_2;
+    let x_rod3_frame_1_5 = (-x_rod2_frame_1_5)
+        .mul_add(S::int(2), x_rod3_frame_1_5_of_place);
     let x_rod3_frame_2_5 = (-x_rod2_frame_in_rod3_frame_2_10)
         .mul_add(S::int(2), l_w_rod3_frame_1);
-    let x_rod4_frame_1_4 = x_rod2_frame_1_5 + x_rod3_frame_1_5_of_place;
-    let x_rod4_frame_2_5 = l_w_rod3_frame_1 - x_rod2_frame_in_rod3_frame_2_10;
+    let x_rod4_frame_1_4 = x_rod3_frame_1_5_of_place - x_rod2_frame_1_5;
     let x_rod3_frame_in_rod4_frame_1_10 = (-x_rod4_frame_1_4)
         .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3_10 * sin_q_P4);
     let x_rod3_frame_in_rod4_frame_3_10 = x_rod4_frame_1_4
         .mul_add(sin_q_P4, x_rod2_frame_in_rod3_frame_3_10 * cos_q_P4);
-    let x_rod4_frame_2_6_of_place = l * w_rod3_frame_in_rod4_frame_3;
-    let x_rod4_frame_2_6 = x_rod4_frame_2_5
-        .mul_add(S::int(2), x_rod4_frame_2_6_of_place);
+    let x_rod4_frame_2_5_of_place = l * w_rod3_frame_in_rod4_frame_3;
+    let x_rod4_frame_2_5 = x_rod5_frame_2_6
+        .mul_add(S::int(2), x_rod4_frame_2_5_of_place);
     let l_w_rod4_frame_2 = l * w_rod4_frame_2;
     let x_rod4_frame_3_5 = (-x_rod3_frame_in_rod4_frame_3_10)
         .mul_add(S::int(2), l_w_rod4_frame_2);
-    let x_rod5_frame_2_6 = x_rod4_frame_2_5 + x_rod4_frame_2_6_of_place;
-    let x_rod5_frame_3_7 = l_w_rod4_frame_2 - x_rod3_frame_in_rod4_frame_3_10;
-    let x_rod4_frame_in_rod5_frame_1_10 = x_rod5_frame_2_6
+    let x_rod5_frame_2_7 = x_rod5_frame_2_6 + x_rod4_frame_2_5_of_place;
+    let x_rod5_frame_3_8 = l_w_rod4_frame_2 - x_rod3_frame_in_rod4_frame_3_10;
+    let x_rod4_frame_in_rod5_frame_1_10 = x_rod5_frame_2_7
         .mul_add(sin_q_P5, x_rod3_frame_in_rod4_frame_1_10 * cos_q_P5);
-    let x_rod4_frame_in_rod5_frame_2_10 = (-x_rod5_frame_2_6)
+    let x_rod4_frame_in_rod5_frame_2_10 = (-x_rod5_frame_2_7)
         .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1_10 * sin_q_P5);
-    let x_rod5_frame_1_7 = (-x_rod4_frame_in_rod5_frame_1_10)
+    let x_rod5_frame_1_7 = x_rod4_frame_in_rod5_frame_1_10
         .mul_add(S::int(2), l * w_rod5_frame_3);
-    let x_rod5_frame_3_8 = x_rod5_frame_3_7
+    let x_rod5_frame_3_9 = x_rod5_frame_3_8
         .mul_add(S::int(2), l * w_rod4_frame_in_rod5_frame_1);
     let energy_of_place = x_rod3_frame_in_rod4_frame_1_10
         .mul_add(
@@ -3742,33 +3745,35 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5], u: &[S; 1]) -> S
         );
     let energy_of_place_2 = x_rod3_frame_1_5
         .mul_add(x_rod3_frame_1_5, x_rod2_frame_3_5 * x_rod2_frame_3_5);
-    let energy_of_place_3 = x_rod4_frame_2_6
-        .mul_add(x_rod4_frame_2_6, x_rod3_frame_2_5 * x_rod3_frame_2_5);
+    let energy_of_place_3 = x_rod4_frame_2_5
+        .mul_add(x_rod4_frame_2_5, x_rod3_frame_2_5 * x_rod3_frame_2_5);
     let energy_of_place_4 = x_rod2_frame_1_5
-        .mul_add(x_rod2_frame_1_5, x_rod1_frame_3_3 * x_rod1_frame_3_3);
+        .mul_add(
+            x_rod2_frame_1_5,
+            x_rod1_frame_in_rod2_frame_3 * x_rod1_frame_in_rod2_frame_3,
+        );
     let energy_of_place_5 = x_rod5_frame_1_7
         .mul_add(x_rod5_frame_1_7, x_rod4_frame_3_5 * x_rod4_frame_3_5);
-    let energy_of_place_6 = x_rod5_frame_3_8
-        .mul_add(x_rod5_frame_3_8, energy_of_place_4);
+    let energy_of_place_6 = x_rod5_frame_3_9
+        .mul_add(x_rod5_frame_3_9, energy_of_place_4);
     let energy_of_place_7 = energy_of_place_2 + energy_of_place_3;
     let energy_of_place_8 = energy_of_place_5 + energy_of_place_6;
     let energy_of_place_9 = w_rod3_frame_1.mul_add(H_rod3_1, w_rod2_frame_3 * H_rod2_3);
     let energy_of_place_10 = w_rod4_frame_2
         .mul_add(H_rod4_2, w_rod2_frame_in_rod3_frame_2 * H_rod3_2);
-    let energy_of_place_11 = w_rod1_frame_2
-        .mul_add(H_rod1_2, w_rod1_frame_in_rod2_frame_1 * H_rod2_1);
-    let energy_of_place_12 = w_rod4_frame_in_rod5_frame_1
+    let energy_of_u_p1 = u_P1.mul_add(H_rod1_2, w_rod1_frame_in_rod2_frame_1 * H_rod2_1);
+    let energy_of_place_11 = w_rod4_frame_in_rod5_frame_1
         .mul_add(H_rod5_1, w_rod3_frame_in_rod4_frame_3 * H_rod4_3);
-    let energy_of_place_13 = w_rod5_frame_3.mul_add(H_rod5_3, energy_of_place_11);
-    let energy_of_place_14 = energy_of_place_9 + energy_of_place_10;
-    let energy_of_place_15 = energy_of_place_12 + energy_of_place_13;
-    let energy_of_place_16 = energy_of_place_14 + energy_of_place_15;
+    let energy_of_u_p1_2 = w_rod5_frame_3.mul_add(H_rod5_3, energy_of_u_p1);
+    let energy_of_place_12 = energy_of_place_9 + energy_of_place_10;
+    let energy_of_u_p1_3 = energy_of_place_11 + energy_of_u_p1_2;
+    let energy_of_u_p1_4 = energy_of_place_12 + energy_of_u_p1_3;
     // Values.
     let energy = S::ratio(1, 2) * m
         * x_rod4_frame_in_rod5_frame_2_10
             .mul_add(x_rod4_frame_in_rod5_frame_2_10, energy_of_place)
         + S::ratio(1, 8) * m * (energy_of_place_7 + energy_of_place_8)
-        + S::ratio(1, 24) * energy_of_place_16;
+        + S::ratio(1, 24) * energy_of_u_p1_4;
     energy
 }
 
@@ -3785,7 +3790,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
     let (sin_q_P4, cos_q_P4) = q_P4.sin_cos();
     let (sin_q_P5, cos_q_P5) = q_P5.sin_cos();
     // Step by step, each after the terms that it needs.
-    let mp_rod1_frame_1 = l * m;
+    let x_rod1_frame_3 = l * m;
     let x_rod1_frame_in_rod2_frame_1_8 = g * sin_q_P2;
     let x_rod1_frame_in_rod2_frame_2_8 = g * cos_q_P2;
     let x_rod2_frame_in_rod3_frame_2_11 = x_rod1_frame_in_rod2_frame_2_8 * cos_q_P3;
@@ -3798,29 +3803,29 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
         .mul_add(cos_q_P5, x_rod2_frame_in_rod3_frame_2_11 * sin_q_P5);
     let x_rod4_frame_in_rod5_frame_2_11 = (-x_rod2_frame_in_rod3_frame_2_11)
         .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1_11 * sin_q_P5);
-    let x_rod1_frame_in_rod2_frame_1_9 = mp_rod1_frame_1 * cos_q_P2;
-    let x_rod1_frame_in_rod2_frame_2_9 = mp_rod1_frame_1 * sin_q_P2;
-    let x_rod5_frame_2_7 = (-x_rod1_frame_in_rod2_frame_2_9)
-        .mul_add(S::int(9), S::int(7) * mp_rod1_frame_1);
-    let x_rod2_frame_in_rod3_frame_2_12 = x_rod5_frame_2_7 * cos_q_P3;
-    let x_rod2_frame_in_rod3_frame_3_12 = x_rod5_frame_2_7 * sin_q_P3;
-    let x_rod5_frame_3_9 = mp_rod1_frame_1
+    let x_rod1_frame_in_rod2_frame_1_9 = x_rod1_frame_3 * cos_q_P2;
+    let x_rod1_frame_in_rod2_frame_2_9 = x_rod1_frame_3 * sin_q_P2;
+    let x_rod5_frame_2_8 = (-x_rod1_frame_in_rod2_frame_2_9)
+        .mul_add(S::int(9), S::int(7) * x_rod1_frame_3);
+    let x_rod2_frame_in_rod3_frame_2_12 = x_rod5_frame_2_8 * cos_q_P3;
+    let x_rod2_frame_in_rod3_frame_3_12 = x_rod5_frame_2_8 * sin_q_P3;
+    let x_rod5_frame_3_10 = x_rod1_frame_3
         .mul_add(S::int(5), -x_rod2_frame_in_rod3_frame_3_12);
     let x_rod3_frame_in_rod4_frame_1_12_of_place = S::int(9) * x_rod1_frame_in_rod2_frame_1_9;
     let x_rod3_frame_in_rod4_frame_1_12 = (-x_rod3_frame_in_rod4_frame_1_12_of_place)
-        .mul_add(cos_q_P4, x_rod5_frame_3_9 * sin_q_P4);
+        .mul_add(cos_q_P4, x_rod5_frame_3_10 * sin_q_P4);
     let x_rod3_frame_in_rod4_frame_3_12 = x_rod3_frame_in_rod4_frame_1_12_of_place
-        .mul_add(sin_q_P4, x_rod5_frame_3_9 * cos_q_P4);
-    let x_rod5_frame_1_8 = mp_rod1_frame_1
+        .mul_add(sin_q_P4, x_rod5_frame_3_10 * cos_q_P4);
+    let x_rod5_frame_1_8 = x_rod1_frame_3
         .mul_add(S::int(3), x_rod3_frame_in_rod4_frame_1_12);
     let x_rod4_frame_in_rod5_frame_1_12 = (-x_rod2_frame_in_rod3_frame_2_12)
         .mul_add(sin_q_P5, x_rod5_frame_1_8 * cos_q_P5);
     let x_rod4_frame_in_rod5_frame_2_12 = x_rod5_frame_1_8
         .mul_add(sin_q_P5, x_rod2_frame_in_rod3_frame_2_12 * cos_q_P5);
-    let x_rod5_frame_2_8 = mp_rod1_frame_1 - x_rod4_frame_in_rod5_frame_2_12;
+    let x_rod5_frame_2_9 = x_rod1_frame_3 - x_rod4_frame_in_rod5_frame_2_12;
     let energy_of_place = (-x_rod4_frame_in_rod5_frame_2_11)
         .mul_add(
-            x_rod5_frame_2_8,
+            x_rod5_frame_2_9,
             x_rod4_frame_in_rod5_frame_1_11 * x_rod4_frame_in_rod5_frame_1_12,
         );
     let energy_of_place_2 = x_rod3_frame_in_rod4_frame_3_11
@@ -3832,7 +3837,7 @@ pub fn potential_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 5]) -> S {
 
 /// Matrix of the linear system A(q, u) (u', reactions) = b(q, u) row by row, and its right-hand side, which share terms.
 ///
-/// 1852 operations, 5 sines and cosines.
+/// 1860 operations, 5 sines and cosines.
 #[must_use]
 pub fn linear_system<S: Scalar>(
     p: &Parameters<S>,
@@ -3841,857 +3846,935 @@ pub fn linear_system<S: Scalar>(
 ) -> ([S; 900], [S; 30]) {
     let Parameters { l, m, g } = *p;
     let [q_P1, q_P2, q_P3, q_P4, q_P5] = *q;
-    let [u_P4] = *u;
+    let [u_P1] = *u;
     // Sines and cosines.
-    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
-    let (sin_q_P5, cos_q_P5) = q_P5.sin_cos();
-    let (sin_q_P4, cos_q_P4) = q_P4.sin_cos();
     let (sin_q_P2, cos_q_P2) = q_P2.sin_cos();
+    let (sin_q_P4, cos_q_P4) = q_P4.sin_cos();
+    let (sin_q_P3, cos_q_P3) = q_P3.sin_cos();
     let (sin_q_P1, cos_q_P1) = q_P1.sin_cos();
+    let (sin_q_P5, cos_q_P5) = q_P5.sin_cos();
     // Step by step, each after the terms that it needs.
-    let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5 = S::int(1) - cos_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_of_q_p5 = S::int(1) - sin_q_P5;
-    let ratio_q_P1_u_P4_of_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P4;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_2 = ratio_q_P1_u_P4_of_q_p4_q_p5 - S::int(1);
-    let ratio_q_P1_u_P4_of_place = ratio_q_P1_u_P4_of_q_p4_q_p5_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_2 = ratio_q_P1_u_P4_of_q_p3_q_p5 + ratio_q_P1_u_P4_of_place;
-    let ratio_q_P1_u_P4_of_place_3 = -ratio_q_P1_u_P4_of_place_2;
-    let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(sin_q_p2_cos_q_p4, ratio_q_P1_u_P4_of_place_3 * cos_q_P2);
-    let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
-    let cos_q_p3_sin_q_p1 = sin_q_P1 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_5 = cos_q_p3_sin_q_p1
-        .mul_add(sin_q_P2, sin_q_p3_cos_q_p1);
-    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
-    let sin_q_p2_sin_q_p4 = sin_q_P2 * sin_q_P4;
-    let ratio_q_P1_u_P4_of_place_6 = sin_q_p2_sin_q_p4
-        .mul_add(sin_q_P3, -cos_q_p2_cos_q_p4);
-    let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_7 = (-ratio_q_P1_u_P4_of_place_6)
-        .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4);
-    let ratio_q_P1_u_P4_of_place_8 = ratio_q_P1_u_P4_of_place_7
-        .mul_add(sin_q_P5, ratio_q_P1_u_P4_of_place_5 * cos_q_P5);
-    let x_rod1_frame_in_N_3 = l * sin_q_P1;
-    let sin_q_p3_sin_q_p5 = sin_q_P3 * sin_q_P5;
-    let ratio_q_P1_u_P4_of_place_9 = cos_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, -sin_q_p3_sin_q_p5);
-    let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
-    let cos_q_p3_sin_q_p5 = cos_q_P3 * sin_q_P5;
-    let ratio_q_P1_u_P4_of_place_10 = sin_q_p3_cos_q_p5
-        .mul_add(sin_q_P4, cos_q_p3_sin_q_p5);
-    let ratio_q_P1_u_P4_of_place_11 = (-ratio_q_P1_u_P4_of_place_10)
-        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
-    let ratio_q_P1_u_P4_of_place_12 = ratio_q_P1_u_P4_of_place_11
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_9 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_13 = ratio_q_P1_u_P4_of_place_10
-        .mul_add(cos_q_P2, sin_q_p2_cos_q_p4 * cos_q_P5);
-    let ratio_q_P1_u_P4_of_place_14 = x_rod1_frame_in_N_3 * ratio_q_P1_u_P4_of_place_13;
-    let ratio_q_P1_u_P4_of_place_15 = (-ratio_q_P1_u_P4_of_place_12)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_14,
-            x_rod1_frame_in_N_3 * ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_of_place_8,
-        );
-    let ratio_q_P1_u_P4_of_place_16 = ratio_q_P1_u_P4_of_q_p4_q_p5_2
-        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
-    let ratio_q_P1_u_P4_of_place_17 = ratio_q_P1_u_P4_of_place_16 * cos_q_P2;
-    let ratio_q_P1_u_P4_of_place_18 = l * ratio_q_P1_u_P4_of_place_17;
-    let ratio_q_P1_u_P4_of_q_p4 = S::int(1) + sin_q_P4;
-    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_q_p4_2 = ratio_q_P1_u_P4_of_q_p4 - cos_q_p4_sq;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_3 = ratio_q_P1_u_P4_of_q_p4_2
-        .mul_add(sin_q_P5, cos_q_p4_sq);
-    let ratio_q_P1_u_P4_of_place_19 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_20 = (-cos_q_p3_cos_q_p5)
-        .mul_add(ratio_q_P1_u_P4_of_q_p4, ratio_q_P1_u_P4_of_place_19);
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_4 = sin_q_P5 + ratio_q_P1_u_P4_of_q_p4_q_p5;
-    let ratio_q_P1_u_P4_of_place_21 = cos_q_p2_cos_q_p4 * ratio_q_P1_u_P4_of_q_p4_q_p5_4;
-    let ratio_q_P1_u_P4_of_place_22 = ratio_q_P1_u_P4_of_place_20
-        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_place_21);
-    let ratio_q_P1_u_P4_of_place_23 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_place_24 = sin_q_p3_cos_q_p5 * ratio_q_P1_u_P4_of_q_p4;
-    let ratio_q_P1_u_P4_of_place_25 = ratio_q_P1_u_P4_of_place_24
-        .mul_add(S::int(2), ratio_q_P1_u_P4_of_place_23);
-    let ratio_q_P1_u_P4_of_place_26 = (-ratio_q_P1_u_P4_of_place_25)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_22 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_27 = ratio_q_P1_u_P4_of_place_26
-        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_of_place_19);
-    let ratio_q_P1_u_P4_of_place_28 = (-sin_q_p3_cos_q_p1)
-        .mul_add(ratio_q_P1_u_P4_of_place_21, ratio_q_P1_u_P4_of_place_27 * sin_q_P2);
-    let ratio_q_P1_u_P4_of_place_29 = ratio_q_P1_u_P4_of_place_23 + ratio_q_P1_u_P4_of_place_24;
-    let ratio_q_P1_u_P4_of_place_30 = ratio_q_P1_u_P4_of_place_29 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_31 = (-sin_q_p3_cos_q_p1)
-        .mul_add(ratio_q_P1_u_P4_of_place_30, ratio_q_P1_u_P4_of_place_28 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_32 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_p2_cos_q_p4;
-    let ratio_q_P1_u_P4_of_place_33 = ratio_q_P1_u_P4_of_place_3
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32);
-    let l_sq = l * l;
-    let ratio_q_P1_u_P4_of_place_34 = ratio_q_P1_u_P4_of_place_33 * l_sq;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_2 = sin_q_P5 - ratio_q_P1_u_P4_of_q_p3_q_p5;
-    let ratio_q_P1_u_P4_of_q_p3 = sin_q_P3 - S::int(1);
-    let ratio_q_P1_u_P4_of_place_35 = (-ratio_q_P1_u_P4_of_q_p3)
-        .mul_add(sin_q_P5, ratio_q_P1_u_P4_of_q_p3_q_p5_2 * sin_q_P4);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_3 = ratio_q_P1_u_P4_of_q_p5_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_4 = cos_q_p3_cos_q_p5 + ratio_q_P1_u_P4_of_q_p3_q_p5_3;
-    let ratio_q_P1_u_P4_of_place_36 = sin_q_p2_cos_q_p4
-        .mul_add(ratio_q_P1_u_P4_of_q_p3_q_p5_4, ratio_q_P1_u_P4_of_place_35 * cos_q_P2);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_5 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P3;
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_6 = sin_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_5;
-    let cos_q_p4_cos_q_p1 = cos_q_P1 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_37 = ratio_q_P1_u_P4_of_q_p3_q_p5_6
-        .mul_add(cos_q_p4_cos_q_p1, ratio_q_P1_u_P4_of_place_36 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_38 = ratio_q_P1_u_P4_of_place_10 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_39 = ratio_q_P1_u_P4_of_place_38
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_37 * sin_q_P2);
-    let sin_q_p1_l_sq = l_sq * sin_q_P1;
-    let ratio_q_P1_u_P4_of_place_40 = ratio_q_P1_u_P4_of_place_39 * sin_q_p1_l_sq;
-    let ratio_q_P1_u_P4_of_place_41 = ratio_q_P1_u_P4_of_place_31
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_34,
-            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_18,
-        ) + ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_40;
-    let ratio_q_P1_u_P4_of_place_42 = sin_q_p2_cos_q_p4
-        .mul_add(
-            ratio_q_P1_u_P4_of_q_p3_q_p5_3,
-            ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_P2,
-        );
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_5 = ratio_q_P1_u_P4_of_q_p5_2 * cos_q_P4;
-    let ratio_q_P1_u_P4_of_place_43 = cos_q_p3_sin_q_p1
-        .mul_add(ratio_q_P1_u_P4_of_q_p4_q_p5_5, ratio_q_P1_u_P4_of_place_42 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_44 = S::int(1) + ratio_q_P1_u_P4_of_place_33;
-    let ratio_q_P1_u_P4_of_place_45 = ratio_q_P1_u_P4_of_place_44
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_16 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_46 = l * ratio_q_P1_u_P4_of_place_45;
-    let ratio_q_P1_u_P4_of_q_p2 = S::int(1) - sin_q_P2;
-    let ratio_q_P1_u_P4_of_q_p2_q_p3 = sin_q_P3 - ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_place_47 = (-ratio_q_P1_u_P4_of_q_p2_q_p3)
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_q_p3_q_p5_5);
-    let x_rod1_frame_in_rod2_frame_2_3 = sin_q_P1 * sin_q_P2;
-    let ratio_q_P1_u_P4_of_place_48 = (-x_rod1_frame_in_rod2_frame_2_3)
-        .mul_add(ratio_q_P1_u_P4_of_q_p3_q_p5_4, ratio_q_P1_u_P4_of_place_47 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_49 = ratio_q_P1_u_P4_of_place_35
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_38);
-    let ratio_q_P1_u_P4_of_place_50 = (-ratio_q_P1_u_P4_of_place_49)
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_48 * cos_q_P4);
-    let ratio_q_P1_u_P4_of_place_51 = sin_q_p1_l_sq * ratio_q_P1_u_P4_of_place_50;
-    let ratio_q_P1_u_P4_of_place_52 = (-ratio_q_P1_u_P4_of_place_16)
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_44 * cos_q_P1);
-    let ratio_q_P1_u_P4_of_place_53 = l * ratio_q_P1_u_P4_of_place_8;
-    let sin_q_p3_sin_q_p1 = sin_q_P1 * sin_q_P3;
-    let ratio_q_P1_u_P4_of_place_54 = (-cos_q_p3_cos_q_p1)
-        .mul_add(sin_q_P2, sin_q_p3_sin_q_p1);
-    let ratio_q_P1_u_P4_of_place_55 = ratio_q_P1_u_P4_of_place_6
-        .mul_add(cos_q_P1, cos_q_p3_sin_q_p1 * sin_q_P4);
-    let ratio_q_P1_u_P4_of_place_56 = (-ratio_q_P1_u_P4_of_place_55)
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_of_place_54 * sin_q_P5);
-    let ratio_q_P1_u_P4_of_place_57 = l * ratio_q_P1_u_P4_of_place_12;
-    let ratio_q_P1_u_P4_of_place_58 = ratio_q_P1_u_P4_of_place_56
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_57,
-            ratio_q_P1_u_P4_of_place_52 * ratio_q_P1_u_P4_of_place_53,
-        );
-    let ratio_q_P1_u_P4_of_place_59 = l * ratio_q_P1_u_P4_of_place_33;
-    let ratio_q_P1_u_P4_of_place_60 = ratio_q_P1_u_P4_of_place_58
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_59,
-            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_51,
-        );
-    let ratio_q_P1_u_P4_of_place_61 = cos_q_p3_cos_q_p5 - ratio_q_P1_u_P4_of_place;
-    let x_rod1_frame_in_rod2_frame_2_2 = cos_q_P1 * sin_q_P2;
-    let ratio_q_P1_u_P4_of_place_62 = ratio_q_P1_u_P4_of_place_61
-        .mul_add(sin_q_P1, x_rod1_frame_in_rod2_frame_2_2 * ratio_q_P1_u_P4_of_place_16);
-    let ratio_q_P1_u_P4_of_place_63 = l * ratio_q_P1_u_P4_of_place_62;
-    let ratio_q_P1_u_P4_of_place_64 = (-ratio_q_P1_u_P4_of_place_36)
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_of_q_p2);
-    let ratio_q_P1_u_P4_of_q_p2_q_p4 = cos_q_p2_cos_q_p4 - ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_place_65 = (-ratio_q_P1_u_P4_of_q_p2_q_p4)
-        .mul_add(sin_q_P5, cos_q_p2_cos_q_p4);
-    let ratio_q_P1_u_P4_of_q_p2_2 = -ratio_q_P1_u_P4_of_q_p2;
-    let ratio_q_P1_u_P4_of_q_p2_q_p4_2 = (-ratio_q_P1_u_P4_of_q_p2_2)
-        .mul_add(sin_q_P4, cos_q_p2_cos_q_p4);
-    let ratio_q_P1_u_P4_of_place_66 = sin_q_p3_cos_q_p5
-        .mul_add(ratio_q_P1_u_P4_of_q_p2_q_p4_2, ratio_q_P1_u_P4_of_place_65 * cos_q_P3);
-    let ratio_q_P1_u_P4_of_place_67 = (-ratio_q_P1_u_P4_of_place_66)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_64 * sin_q_P1);
-    let cos_q_p1_l_sq = l_sq * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_68 = ratio_q_P1_u_P4_of_place_67 * cos_q_p1_l_sq;
-    let ratio_q_P1_u_P4_of_place_69 = ratio_q_P1_u_P4_of_place_13
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_68,
-            ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_of_place_58,
-        );
-    let ratio_q_P1_u_P4_of_place_70 = l * ratio_q_P1_u_P4_of_place_4;
-    let ratio_q_P1_u_P4_of_place_71 = ratio_q_P1_u_P4_of_place_70 * cos_q_P1;
-    let ratio_q_P1_u_P4_of_place_72 = (-ratio_q_P1_u_P4_of_place_17)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_51,
-            ratio_q_P1_u_P4_of_place_33 * ratio_q_P1_u_P4_of_place_68,
-        );
-    let ratio_q_P1_u_P4_of_place_73 = (-ratio_q_P1_u_P4_of_place_11)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_9 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_74 = l * ratio_q_P1_u_P4_of_place_73;
-    let ratio_q_P1_u_P4_of_place_75 = S::int(1)
-        / (ratio_q_P1_u_P4_of_place_60
-            .mul_add(
-                ratio_q_P1_u_P4_of_place_63,
-                ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_of_place_46,
-            ) + ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_of_place_71
-            + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_of_place_74);
-    let ratio_q_P1_u_P4_of_place_76 = l * ratio_q_P1_u_P4_of_place_75;
-    let ratio_q_P1_u_P4_of_place_77 = ratio_q_P1_u_P4_of_place_43 * ratio_q_P1_u_P4_of_place_76;
-    let ratio_q_P1_u_P4_of_place_78 = ratio_q_P1_u_P4_of_place_4 * cos_q_p1_l_sq;
-    let ratio_q_P1_u_P4_of_place_79 = (-ratio_q_P1_u_P4_of_place_15)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_63,
-            ratio_q_P1_u_P4_of_place_31 * ratio_q_P1_u_P4_of_place_78,
-        ) - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_of_place_73;
-    let ratio_q_P1_u_P4_of_place_80 = (-ratio_q_P1_u_P4_of_q_p4_q_p5)
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32 * sin_q_P3);
-    let ratio_q_P1_u_P4_of_place_81 = ratio_q_P1_u_P4_of_place_76 * ratio_q_P1_u_P4_of_place_80;
-    let ratio_q_P1_u_P4_of_place_82 = (-ratio_q_P1_u_P4_of_place_13)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_14,
-            ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_59,
-        );
-    let ratio_q_P1_u_P4_of_place_83 = x_rod1_frame_in_rod2_frame_2_3
-        .mul_add(ratio_q_P1_u_P4_of_place_9, ratio_q_P1_u_P4_of_place_38);
-    let ratio_q_P1_u_P4_of_place_84 = l * ratio_q_P1_u_P4_of_place_13;
-    let ratio_q_P1_u_P4_of_place_85 = (-ratio_q_P1_u_P4_of_place_83)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_84,
-            ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_18,
-        );
-    let ratio_q_P1_u_P4_of_place_86 = (-ratio_q_P1_u_P4_of_place_14)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_17,
-            ratio_q_P1_u_P4_of_place_59 * ratio_q_P1_u_P4_of_place_83,
-        );
-    let ratio_q_P1_u_P4_of_place_87 = ratio_q_P1_u_P4_of_place_71
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_85,
-            ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_of_place_82,
-        ) - ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_of_place_86;
-    let ratio_q_P1_u_P4_of_place_88 = (-cos_q_p3_cos_q_p1)
-        .mul_add(ratio_q_P1_u_P4_of_q_p4_q_p5_5, ratio_q_P1_u_P4_of_place_42 * sin_q_P1);
-    let ratio_q_P1_u_P4_of_place_89 = ratio_q_P1_u_P4_of_place_76 * ratio_q_P1_u_P4_of_place_88;
-    let ratio_q_P1_u_P4_of_q_p5_3 = S::int(2) - sin_q_P5;
-    let ratio_q_P1_u_P4_of_q_p4_q_p5_6 = ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p5_3;
-    let ratio_q_P1_u_P4_of_place_90 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_6)
-        .mul_add(sin_q_P3, ratio_q_P1_u_P4_of_q_p4_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5);
-    let ratio_q_P1_u_P4_of_q_p3_q_p5_7 = sin_q_P3 + cos_q_p3_cos_q_p5;
-    let ratio_q_P1_u_P4_of_place_91 = ratio_q_P1_u_P4_of_place_90
-        .mul_add(sin_q_P4, -sin_q_P5) + ratio_q_P1_u_P4_of_q_p3_q_p5_7;
-    let ratio_q_P1_u_P4_of_place_92 = l_sq * ratio_q_P1_u_P4_of_place_76;
-    let cos_q_p2_sin_q_p4 = cos_q_P2 * sin_q_P4;
-    let ratio_q_P1_u_P4_of_place_93 = sin_q_p2_cos_q_p4
-        .mul_add(sin_q_P3, cos_q_p2_sin_q_p4);
-    let ratio_q_P1_u_P4_of_place_94 = (-ratio_q_P1_u_P4_of_place_93)
-        .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * cos_q_P4);
-    let ratio_q_P1_u_P4_of_place_95 = ratio_q_P1_u_P4_of_place_94 * cos_q_P5;
-    let ratio_q_P1_u_P4_of_place_96 = ratio_q_P1_u_P4_of_place_92 * ratio_q_P1_u_P4_of_place_95;
-    let ratio_q_P1_u_P4_of_place_97 = ratio_q_P1_u_P4_of_place_96 * cos_q_P5;
-    let ratio_q_P1_u_P4 = ratio_q_P1_u_P4_of_place_79
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_81,
-            ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_of_place_77,
-        ) - ratio_q_P1_u_P4_of_place_87 * ratio_q_P1_u_P4_of_place_89
-        - ratio_q_P1_u_P4_of_place_91 * ratio_q_P1_u_P4_of_place_97;
-    let w_rod1_frame_2 = u_P4 * ratio_q_P1_u_P4;
-    let w_rod1_frame_22 = w_rod1_frame_2 * w_rod1_frame_2;
+    let w_rod1_frame_22 = u_P1 * u_P1;
     let a_rod1_centre_1 = l * w_rod1_frame_22;
     let x_rod1_frame_1 = m * a_rod1_centre_1;
     let x_rod1_frame_2 = m * g;
-    let ratio_q_P2_u_P4_of_place = ratio_q_P1_u_P4_of_place_31 * l_sq;
-    let ratio_q_P2_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_68
+    let sin_q_p2_cos_q_p4 = sin_q_P2 * cos_q_P4;
+    let cos_q_p2_sin_q_p4 = cos_q_P2 * sin_q_P4;
+    let ratio_q_P2_u_P1_of_place = sin_q_p2_cos_q_p4
+        .mul_add(sin_q_P3, cos_q_p2_sin_q_p4);
+    let cos_q_p3_cos_q_p1 = cos_q_P1 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_2 = cos_q_p3_cos_q_p1 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_place_3 = (-ratio_q_P2_u_P1_of_place)
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_2);
+    let sin_q_p3_cos_q_p5 = sin_q_P3 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_4 = sin_q_p3_cos_q_p5
+        .mul_add(sin_q_P4, cos_q_P3 * sin_q_P5);
+    let ratio_q_P2_u_P1_of_place_5 = ratio_q_P2_u_P1_of_place_4
+        .mul_add(cos_q_P2, sin_q_p2_cos_q_p4 * cos_q_P5);
+    let ratio_q_P2_u_P1_of_place_6 = l * ratio_q_P2_u_P1_of_place_5;
+    let ratio_q_P2_u_P1_of_q_p5 = S::int(1) - sin_q_P5;
+    let ratio_q_P2_u_P1_of_q_p5_2 = -ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5 = ratio_q_P2_u_P1_of_q_p5_2 * sin_q_P4;
+    let cos_q_p2_cos_q_p4 = cos_q_P2 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5 = ratio_q_P2_u_P1_of_q_p5_2 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_7 = (-ratio_q_P2_u_P1_of_q_p4_q_p5)
+        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p3_q_p5);
+    let x_rod1_frame_in_rod2_frame_2_3 = sin_q_P1 * sin_q_P2;
+    let sin_q_p3_cos_q_p1 = cos_q_P1 * sin_q_P3;
+    let x_rod2_frame_in_rod3_frame_2_5 = x_rod1_frame_in_rod2_frame_2_3
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1);
+    let sin_q_p2_sin_q_p4 = sin_q_P2 * sin_q_P4;
+    let ratio_q_P2_u_P1_of_place_8 = sin_q_p2_sin_q_p4
+        .mul_add(sin_q_P3, -cos_q_p2_cos_q_p4);
+    let ratio_q_P2_u_P1_of_place_9 = (-ratio_q_P2_u_P1_of_place_8)
+        .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * sin_q_P4);
+    let ratio_q_P2_u_P1_of_place_10 = x_rod2_frame_in_rod3_frame_2_5 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_11 = l
+        * ratio_q_P2_u_P1_of_place_9.mul_add(sin_q_P5, ratio_q_P2_u_P1_of_place_10);
+    let ratio_q_P2_u_P1_of_place_12 = ratio_q_P2_u_P1_of_place_7
         .mul_add(
-            ratio_q_P1_u_P4_of_place_73,
-            ratio_q_P1_u_P4_of_place_58 * ratio_q_P1_u_P4_of_place_63,
-        ) + ratio_q_P1_u_P4_of_place_45 * ratio_q_P2_u_P4_of_place;
-    let ratio_q_P2_u_P4_of_place_3 = l_sq * ratio_q_P1_u_P4_of_place_56;
-    let ratio_q_P2_u_P4_of_place_4 = (-ratio_q_P1_u_P4_of_place_17)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_73,
-            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_of_place_62,
+            ratio_q_P2_u_P1_of_place_11,
+            ratio_q_P2_u_P1_of_place_3 * ratio_q_P2_u_P1_of_place_6 * cos_q_P5,
         );
-    let ratio_q_P2_u_P4_of_place_5 = (-ratio_q_P2_u_P4_of_place_3)
-        .mul_add(
-            ratio_q_P2_u_P4_of_place_4,
-            ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_of_place_85,
-        );
-    let ratio_q_P2_u_P4_of_q_p2_q_p5 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_q_p5);
-    let ratio_q_P2_u_P4_of_place_6 = ratio_q_P2_u_P4_of_q_p2_q_p5
-        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_of_q_p2);
-    let ratio_q_P2_u_P4_of_place_7 = ratio_q_P1_u_P4_of_place_32 + ratio_q_P2_u_P4_of_place_6;
-    let ratio_q_P2_u_P4_of_q_p5 = -ratio_q_P1_u_P4_of_q_p5_3;
-    let ratio_q_P2_u_P4_of_q_p4_q_p5 = ratio_q_P2_u_P4_of_q_p5
-        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_of_q_p5_3);
-    let ratio_q_P2_u_P4_of_place_8 = (-ratio_q_P2_u_P4_of_q_p4_q_p5)
-        .mul_add(cos_q_P2, ratio_q_P2_u_P4_of_place_7 * cos_q_P4);
-    let ratio_q_P2_u_P4_of_q_p2_q_p4 = ratio_q_P1_u_P4_of_q_p2_2
-        .mul_add(cos_q_P4, ratio_q_P1_u_P4_of_q_p4 * cos_q_P2);
-    let ratio_q_P2_u_P4_of_place_9 = (-sin_q_p3_cos_q_p5)
-        .mul_add(ratio_q_P2_u_P4_of_q_p2_q_p4, ratio_q_P2_u_P4_of_place_8 * cos_q_P3);
-    let ratio_q_P2_u_P4 = (-ratio_q_P1_u_P4_of_place_81)
-        .mul_add(
-            ratio_q_P2_u_P4_of_place_2,
-            ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_of_place_77,
-        ) + ratio_q_P1_u_P4_of_place_89 * ratio_q_P2_u_P4_of_place_5
-        - ratio_q_P1_u_P4_of_place_97 * ratio_q_P2_u_P4_of_place_9;
-    let ratio_q_P3_u_P4_of_place = ratio_q_P1_u_P4_of_place_58
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_71,
-            ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_of_place_46,
-        ) - ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_of_place_73;
-    let ratio_q_P3_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_33 * ratio_q_P2_u_P4_of_place_3;
-    let ratio_q_P3_u_P4_of_place_3 = ratio_q_P1_u_P4_of_place_56 * ratio_q_P1_u_P4_of_place_78;
-    let ratio_q_P3_u_P4_of_place_4 = ratio_q_P1_u_P4_of_place_73
-        .mul_add(
-            ratio_q_P3_u_P4_of_place_2,
-            ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_of_place_82,
-        ) + ratio_q_P1_u_P4_of_place_13 * ratio_q_P3_u_P4_of_place_3;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5 = -ratio_q_P1_u_P4_of_q_p3_q_p5;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5_2 = -ratio_q_P1_u_P4_of_q_p5 - ratio_q_P1_u_P4_of_q_p3_q_p5_3;
-    let ratio_q_P3_u_P4_of_place_5 = ratio_q_P3_u_P4_of_q_p3_q_p5_2
-        .mul_add(sin_q_P4, sin_q_P5 - S::int(3) + ratio_q_P1_u_P4_of_q_p3_q_p5_7);
-    let ratio_q_P3_u_P4_of_place_6 = (-ratio_q_P3_u_P4_of_place_5)
-        .mul_add(sin_q_P2, -ratio_q_P1_u_P4_of_place_2 - ratio_q_P1_u_P4_of_place_32);
-    let ratio_q_P3_u_P4_of_place_7 = ratio_q_P3_u_P4_of_q_p3_q_p5
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_q_p4_q_p5 + ratio_q_P1_u_P4_of_place_32)
-        + ratio_q_P3_u_P4_of_place_6 * sin_q_P3;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5_3 = S::int(1) + sin_q_p3_sin_q_p5;
-    let ratio_q_P3_u_P4_of_q_p3_q_p5_4 = (-ratio_q_P3_u_P4_of_q_p3_q_p5_3)
-        .mul_add(sin_q_P3, sin_q_P5 + ratio_q_P1_u_P4_of_q_p3_q_p5);
-    let ratio_q_P3_u_P4_of_place_8 = (-sin_q_p3_sin_q_p5).mul_add(sin_q_P3, S::int(1))
-        + ratio_q_P1_u_P4_of_place_32 + ratio_q_P3_u_P4_of_place_7 * sin_q_P4
-        - ratio_q_P3_u_P4_of_q_p3_q_p5_4 * sin_q_P2;
-    let ratio_q_P3_u_P4_of_place_9 = (-ratio_q_P2_u_P4_of_place_6)
-        .mul_add(sin_q_P3, -ratio_q_P1_u_P4_of_place_32 - ratio_q_P1_u_P4_of_q_p2);
-    let ratio_q_P3_u_P4_of_place_10 = cos_q_p3_sin_q_p5
-        .mul_add(ratio_q_P3_u_P4_of_place_9, ratio_q_P3_u_P4_of_place_8 * cos_q_P5);
-    let ratio_q_P3_u_P4 = ratio_q_P1_u_P4_of_place_81
-        .mul_add(
-            ratio_q_P3_u_P4_of_place,
-            ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_of_place_77,
-        ) + ratio_q_P1_u_P4_of_place_89 * ratio_q_P3_u_P4_of_place_4
-        + ratio_q_P1_u_P4_of_place_96 * ratio_q_P3_u_P4_of_place_10;
-    let ratio_q_P5_u_P4_of_place = ratio_q_P1_u_P4_of_place_78 * cos_q_P1;
-    let ratio_q_P5_u_P4_of_place_2 = ratio_q_P1_u_P4_of_place_51
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_62,
-            ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_of_place_45,
-        ) + ratio_q_P1_u_P4_of_place_67 * ratio_q_P5_u_P4_of_place;
-    let ratio_q_P5_u_P4_of_place_3 = ratio_q_P1_u_P4_of_place_17
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_78,
-            ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_of_place_62,
-        );
-    let ratio_q_P5_u_P4_of_place_4 = ratio_q_P1_u_P4_of_place_56
-        .mul_add(
-            ratio_q_P5_u_P4_of_place_3,
-            ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_of_place_86,
-        );
-    let ratio_q_P5_u_P4_of_place_5 = (-ratio_q_P1_u_P4_of_place_61)
-        .mul_add(cos_q_P1, x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P1_u_P4_of_place_16);
-    let ratio_q_P5_u_P4_of_place_6 = ratio_q_P1_u_P4_of_place_4 * sin_q_p1_l_sq;
-    let ratio_q_P5_u_P4_of_place_7 = ratio_q_P1_u_P4_of_place_17
-        .mul_add(
-            ratio_q_P5_u_P4_of_place_6,
-            ratio_q_P1_u_P4_of_place_34 * ratio_q_P5_u_P4_of_place_5,
-        );
-    let ratio_q_P5_u_P4_of_place_8 = l * ratio_q_P1_u_P4_of_place_52;
-    let ratio_q_P5_u_P4_of_place_9 = ratio_q_P1_u_P4_of_place_75
-        * ratio_q_P5_u_P4_of_place_3
+    let cos_q_p3_cos_q_p5 = cos_q_P3 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_2 = ratio_q_P2_u_P1_of_q_p4_q_p5 - S::int(1);
+    let ratio_q_P2_u_P1_of_place_13 = ratio_q_P2_u_P1_of_q_p4_q_p5_2 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_14 = cos_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_place_13;
+    let ratio_q_P2_u_P1_of_place_15 = ratio_q_P2_u_P1_of_q_p4_q_p5_2
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p5);
+    let x_rod1_frame_in_rod2_frame_2_2 = cos_q_P1 * sin_q_P2;
+    let ratio_q_P2_u_P1_of_place_16 = l
+        * x_rod1_frame_in_rod2_frame_2_2
             .mul_add(
-                ratio_q_P5_u_P4_of_place_8,
-                ratio_q_P1_u_P4_of_place_46 * ratio_q_P5_u_P4_of_place_7,
+                ratio_q_P2_u_P1_of_place_15,
+                ratio_q_P2_u_P1_of_place_14 * sin_q_P1,
             );
-    let ratio_q_P5_u_P4 = ratio_q_P1_u_P4_of_place_81
+    let ratio_q_P2_u_P1_of_place_17 = (-sin_q_P3)
+        .mul_add(sin_q_P5, cos_q_p3_cos_q_p5 * sin_q_P4);
+    let ratio_q_P2_u_P1_of_place_18 = x_rod1_frame_in_rod2_frame_2_3
+        .mul_add(ratio_q_P2_u_P1_of_place_17, ratio_q_P2_u_P1_of_place_4 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_19 = ratio_q_P2_u_P1_of_place_15 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_20 = (-ratio_q_P2_u_P1_of_place_6)
         .mul_add(
-            ratio_q_P5_u_P4_of_place_2,
-            ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_of_place_77,
-        ) - ratio_q_P1_u_P4_of_place_89 * ratio_q_P5_u_P4_of_place_4
-        - ratio_q_P1_u_P4_of_place_95 * ratio_q_P5_u_P4_of_place_9;
-    let u_p4_ratio_q_p5_u_p4 = u_P4 * ratio_q_P5_u_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4 = u_p4_ratio_q_p5_u_p4 * cos_q_P5;
-    let u_p4_cos_q_p4 = u_P4 * cos_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_2 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P4);
-    let ratio_q_P1_u_P4_2_of_u_p4_3 = -ratio_q_P1_u_P4_2_of_u_p4_2;
-    let u_p4_ratio_q_p3_u_p4 = u_P4 * ratio_q_P3_u_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_4 = u_p4_ratio_q_p3_u_p4 * cos_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_5 = u_p4_ratio_q_p5_u_p4 * sin_q_P5;
-    let ratio_q_P1_u_P4_2_of_u_p4_6 = (-ratio_q_P1_u_P4_2_of_u_p4_4)
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_2_of_u_p4_5 * sin_q_P3);
-    let ratio_q_P1_u_P4_2_of_u_p4_7 = u_p4_ratio_q_p3_u_p4 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_8 = (-ratio_q_P1_u_P4_2_of_u_p4_3)
-        .mul_add(cos_q_P3, -ratio_q_P1_u_P4_2_of_u_p4_6)
-        - ratio_q_P1_u_P4_of_q_p4_q_p5_2 * ratio_q_P1_u_P4_2_of_u_p4_7;
-    let w_rod2_frame_3 = u_P4 * ratio_q_P2_u_P4;
+            ratio_q_P2_u_P1_of_place_18,
+            ratio_q_P2_u_P1_of_place_11 * ratio_q_P2_u_P1_of_place_19,
+        );
+    let ratio_q_P2_u_P1_of_place_21 = ratio_q_P2_u_P1_of_q_p4_q_p5 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_22 = sin_q_p2_cos_q_p4
+        .mul_add(ratio_q_P2_u_P1_of_q_p3_q_p5, ratio_q_P2_u_P1_of_place_21);
+    let cos_q_p3_sin_q_p1 = sin_q_P1 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_23 = l
+        * (ratio_q_P2_u_P1_of_q_p5_2 * cos_q_p3_sin_q_p1)
+            .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_22 * cos_q_P1);
+    let x_rod5_frame_in_rod4_frame_2 = l * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_24 = x_rod5_frame_in_rod4_frame_2 * ratio_q_P2_u_P1_of_place_3;
+    let ratio_q_P2_u_P1_of_place_25 = l * ratio_q_P2_u_P1_of_place_7;
+    let ratio_q_P2_u_P1_of_place_26 = ratio_q_P2_u_P1_of_place_18
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_25,
+            ratio_q_P2_u_P1_of_place_19 * ratio_q_P2_u_P1_of_place_24,
+        );
+    let ratio_q_P2_u_P1_of_place_27 = (-ratio_q_P2_u_P1_of_place_4)
+        .mul_add(sin_q_P2, cos_q_p2_cos_q_p4 * cos_q_P5);
+    let ratio_q_P2_u_P1_of_place_28 = (-ratio_q_P2_u_P1_of_place_27)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_17 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_29 = l * ratio_q_P2_u_P1_of_place_28;
+    let ratio_q_P2_u_P1_of_place_30 = (-ratio_q_P2_u_P1_of_place_20)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_23,
+            ratio_q_P2_u_P1_of_place_12 * ratio_q_P2_u_P1_of_place_16,
+        ) - ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_of_place_29;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_2 = S::int(1) - cos_q_p3_cos_q_p5;
+    let ratio_q_P2_u_P1_of_place_31 = -ratio_q_P2_u_P1_of_place_13 - ratio_q_P2_u_P1_of_q_p3_q_p5_2;
+    let ratio_q_P2_u_P1_of_place_32 = ratio_q_P2_u_P1_of_place_31
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_q_p5_2 * cos_q_p2_cos_q_p4);
+    let ratio_q_P2_u_P1_of_place_33 = S::int(1) + ratio_q_P2_u_P1_of_place_32;
+    let ratio_q_P2_u_P1_of_place_34 = (-ratio_q_P2_u_P1_of_place_15)
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_33 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_35 = (-ratio_q_P2_u_P1_of_place_2)
+        .mul_add(ratio_q_P2_u_P1_of_q_p5_2, ratio_q_P2_u_P1_of_place_22 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_36 = ratio_q_P2_u_P1_of_place_27
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_17 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_37 = (-ratio_q_P2_u_P1_of_place_24)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_36,
+            ratio_q_P2_u_P1_of_place_11 * ratio_q_P2_u_P1_of_place_35,
+        );
+    let ratio_q_P2_u_P1_of_place_38 = l * ratio_q_P2_u_P1_of_place_32;
+    let ratio_q_P2_u_P1_of_place_39 = sin_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p5_2;
+    let ratio_q_P2_u_P1_of_place_40 = ratio_q_P2_u_P1_of_place_31
+        .mul_add(cos_q_P2, -ratio_q_P2_u_P1_of_place_39);
+    let ratio_q_P2_u_P1_of_place_41 = ratio_q_P2_u_P1_of_place_6 * sin_q_P1;
+    let ratio_q_P2_u_P1_of_place_42 = (-ratio_q_P2_u_P1_of_place_36)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_41,
+            ratio_q_P2_u_P1_of_place_11 * ratio_q_P2_u_P1_of_place_40 * sin_q_P1,
+        );
+    let x_rod1_frame_in_rod2_frame_1_3 = sin_q_P1 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_q_p3 = sin_q_P3 - S::int(1);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_3 = ratio_q_P2_u_P1_of_q_p5_2 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_4 = (-ratio_q_P2_u_P1_of_q_p3)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_q_p3_q_p5_3);
+    let ratio_q_P2_u_P1_of_place_43 = (-ratio_q_P2_u_P1_of_q_p3_q_p5_4)
+        .mul_add(
+            cos_q_P1,
+            x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P2_u_P1_of_q_p3_q_p5,
+        );
+    let ratio_q_P2_u_P1_of_place_44 = x_rod1_frame_in_rod2_frame_1_3 * ratio_q_P2_u_P1_of_q_p4_q_p5;
+    let ratio_q_P2_u_P1_of_place_45 = ratio_q_P2_u_P1_of_place_43
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_44);
+    let ratio_q_P2_u_P1_of_place_46 = sin_q_p2_cos_q_p4
+        .mul_add(ratio_q_P2_u_P1_of_q_p3, cos_q_p2_sin_q_p4);
+    let ratio_q_P2_u_P1_of_place_47 = (-ratio_q_P2_u_P1_of_place_46)
+        .mul_add(sin_q_P3, cos_q_p2_sin_q_p4);
+    let cos_q_p5_sin_q_p1 = sin_q_P1 * cos_q_P5;
+    let l_sq = l * l;
+    let ratio_q_P2_u_P1_of_place_48 = l_sq
+        * ratio_q_P2_u_P1_of_place_47
+            .mul_add(cos_q_p5_sin_q_p1, ratio_q_P2_u_P1_of_place_45 * cos_q_P3);
+    let ratio_q_P2_u_P1_of_place_49 = x_rod1_frame_in_rod2_frame_1_3 * ratio_q_P2_u_P1_of_place_48;
+    let ratio_q_P2_u_P1_of_place_50 = ratio_q_P2_u_P1_of_place_25
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_42,
+            ratio_q_P2_u_P1_of_place_37 * ratio_q_P2_u_P1_of_place_38,
+        ) + ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_49;
+    let ratio_q_P2_u_P1_of_q_p4 = S::int(1) + sin_q_P4;
+    let cos_q_p4_sq = cos_q_P4 * cos_q_P4;
+    let ratio_q_P2_u_P1_of_q_p4_2 = ratio_q_P2_u_P1_of_q_p4 - cos_q_p4_sq;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_3 = ratio_q_P2_u_P1_of_q_p4_2
+        .mul_add(sin_q_P5, cos_q_p4_sq);
+    let ratio_q_P2_u_P1_of_place_51 = ratio_q_P2_u_P1_of_q_p4_q_p5_3 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_52 = (-cos_q_p3_cos_q_p5)
+        .mul_add(ratio_q_P2_u_P1_of_q_p4, ratio_q_P2_u_P1_of_place_51);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_4 = sin_q_P5 + ratio_q_P2_u_P1_of_q_p4_q_p5;
+    let ratio_q_P2_u_P1_of_place_53 = cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_of_q_p4_q_p5_4;
+    let ratio_q_P2_u_P1_of_place_54 = ratio_q_P2_u_P1_of_place_52
+        .mul_add(sin_q_P2, -ratio_q_P2_u_P1_of_place_53);
+    let ratio_q_P2_u_P1_of_place_55 = ratio_q_P2_u_P1_of_q_p4_q_p5_3 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_56 = sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_of_q_p4;
+    let ratio_q_P2_u_P1_of_place_57 = ratio_q_P2_u_P1_of_place_56
+        .mul_add(S::int(2), ratio_q_P2_u_P1_of_place_55);
+    let ratio_q_P2_u_P1_of_place_58 = (-ratio_q_P2_u_P1_of_place_57)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_54 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_59 = ratio_q_P2_u_P1_of_place_58
+        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_of_place_51);
+    let ratio_q_P2_u_P1_of_place_60 = (-sin_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P2_u_P1_of_place_53, ratio_q_P2_u_P1_of_place_59 * sin_q_P2);
+    let ratio_q_P2_u_P1_of_place_61 = ratio_q_P2_u_P1_of_place_55 + ratio_q_P2_u_P1_of_place_56;
+    let ratio_q_P2_u_P1_of_place_62 = ratio_q_P2_u_P1_of_place_61 * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_63 = (-sin_q_p3_cos_q_p1)
+        .mul_add(ratio_q_P2_u_P1_of_place_62, ratio_q_P2_u_P1_of_place_60 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_64 = ratio_q_P2_u_P1_of_place_32 * l_sq;
+    let ratio_q_P2_u_P1_of_place_65 = l * ratio_q_P2_u_P1_of_place_19;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_5 = cos_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_place_66 = (-ratio_q_P2_u_P1_of_q_p3_q_p5_5)
+        .mul_add(sin_q_P4, ratio_q_P2_u_P1_of_q_p3 * sin_q_P5);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_6 = ratio_q_P2_u_P1_of_q_p3_q_p5 + cos_q_p3_cos_q_p5;
+    let ratio_q_P2_u_P1_of_place_67 = (-sin_q_p2_cos_q_p4)
+        .mul_add(ratio_q_P2_u_P1_of_q_p3_q_p5_6, ratio_q_P2_u_P1_of_place_66 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_7 = sin_q_p3_cos_q_p5 - ratio_q_P2_u_P1_of_q_p3_q_p5_3;
+    let ratio_q_P2_u_P1_of_place_68 = ratio_q_P2_u_P1_of_q_p3_q_p5_7 * cos_q_P1;
+    let ratio_q_P2_u_P1_of_place_69 = (-ratio_q_P2_u_P1_of_place_68)
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_67 * sin_q_P1);
+    let x_rod1_frame_in_rod2_frame_1_2 = cos_q_P1 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_70 = (-x_rod1_frame_in_rod2_frame_1_2)
+        .mul_add(ratio_q_P2_u_P1_of_place_4, ratio_q_P2_u_P1_of_place_69 * sin_q_P2);
+    let ratio_q_P2_u_P1_of_place_71 = l_sq * ratio_q_P2_u_P1_of_place_70 * sin_q_P1;
+    let ratio_q_P2_u_P1_of_place_72 = ratio_q_P2_u_P1_of_place_42
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_65,
+            ratio_q_P2_u_P1_of_place_63 * ratio_q_P2_u_P1_of_place_64,
+        ) - ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_71;
+    let ratio_q_P2_u_P1_of_q_p3_q_p5_8 = (-ratio_q_P2_u_P1_of_q_p3_q_p5_3)
+        .mul_add(S::int(2), sin_q_p3_cos_q_p5);
+    let ratio_q_P2_u_P1_of_place_73 = ratio_q_P2_u_P1_of_q_p3_q_p5_8
+        .mul_add(
+            cos_q_P1,
+            x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P2_u_P1_of_q_p3_q_p5_6,
+        );
+    let ratio_q_P2_u_P1_of_place_74 = ratio_q_P2_u_P1_of_place_73
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_44);
+    let ratio_q_P2_u_P1_of_place_75 = x_rod1_frame_in_rod2_frame_1_3 * sin_q_P4;
+    let ratio_q_P2_u_P1_of_place_76 = ratio_q_P2_u_P1_of_place_2 - ratio_q_P2_u_P1_of_place_75;
+    let ratio_q_P2_u_P1_of_place_77 = (-cos_q_p3_cos_q_p5)
+        .mul_add(ratio_q_P2_u_P1_of_place_76, ratio_q_P2_u_P1_of_place_74 * sin_q_P3);
+    let ratio_q_P2_u_P1_of_place_78 = ratio_q_P2_u_P1_of_place_77
+        .mul_add(sin_q_P2, cos_q_p2_sin_q_p4 * ratio_q_P2_u_P1_of_place_68);
+    let ratio_q_P2_u_P1_of_place_79 = (-ratio_q_P2_u_P1_of_place_2)
+        .mul_add(ratio_q_P2_u_P1_of_place_68, ratio_q_P2_u_P1_of_place_78 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_place_80 = ratio_q_P2_u_P1_of_place_7
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_71,
+            ratio_q_P2_u_P1_of_place_19 * ratio_q_P2_u_P1_of_place_49,
+        ) + ratio_q_P2_u_P1_of_place_64 * ratio_q_P2_u_P1_of_place_79;
+    let ratio_q_P2_u_P1_of_place_81 = l * ratio_q_P2_u_P1_of_place_40;
+    let ratio_q_P2_u_P1_of_place_82 = ratio_q_P2_u_P1_of_place_81 * cos_q_P1;
+    let cos_q_p5_sq = cos_q_P5 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_q_p5_3 = ratio_q_P2_u_P1_of_q_p5
+        .mul_add(S::int(2), -cos_q_p5_sq);
+    let ratio_q_P2_u_P1_of_q_p5_4 = -ratio_q_P2_u_P1_of_q_p5_3;
+    let cos_q_p4_sq_doubled = S::int(2) * cos_q_p4_sq;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_5 = ratio_q_P2_u_P1_of_q_p5_4 * cos_q_p4_sq_doubled;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_6 = -ratio_q_P2_u_P1_of_q_p5 - ratio_q_P2_u_P1_of_q_p4_q_p5_5;
+    let ratio_q_P2_u_P1_of_q_p5_5 = ratio_q_P2_u_P1_of_q_p5 - cos_q_p5_sq;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_7 = cos_q_p4_sq * ratio_q_P2_u_P1_of_q_p5_4;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_8 = -ratio_q_P2_u_P1_of_q_p5_5
+        - ratio_q_P2_u_P1_of_q_p4_q_p5_7;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_9 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(cos_q_p4_sq, ratio_q_P2_u_P1_of_q_p4_q_p5_8 * sin_q_P4);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_10 = ratio_q_P2_u_P1_of_q_p4_q_p5_9
+        - ratio_q_P2_u_P1_of_q_p5_5;
+    let ratio_q_P2_u_P1_of_q_p4_3 = ratio_q_P2_u_P1_of_q_p4 - cos_q_p4_sq_doubled;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_11 = ratio_q_P2_u_P1_of_q_p5 * ratio_q_P2_u_P1_of_q_p4_3;
+    let ratio_q_P2_u_P1_of_place_83 = sin_q_p3_cos_q_p5
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_11,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_10 * cos_q_P3,
+        );
+    let ratio_q_P2_u_P1_of_place_84 = ratio_q_P2_u_P1_of_place_83 * cos_q_P3;
+    let ratio_q_P2_u_P1_of_place_85 = ratio_q_P2_u_P1_of_q_p4_q_p5_6
+        .mul_add(sin_q_P4, -ratio_q_P2_u_P1_of_q_p5)
+        - ratio_q_P2_u_P1_of_q_p5_2 * cos_q_p4_sq_doubled - ratio_q_P2_u_P1_of_place_84;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_12 = S::int(2) * ratio_q_P2_u_P1_of_q_p4_q_p5;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_13 = (-ratio_q_P2_u_P1_of_q_p5)
+        .mul_add(S::int(3), cos_q_p5_sq) - ratio_q_P2_u_P1_of_q_p4_q_p5_5
+        + ratio_q_P2_u_P1_of_q_p4_q_p5_12;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_14 = ratio_q_P2_u_P1_of_q_p4_q_p5_12 - ratio_q_P2_u_P1_of_q_p5;
+    let ratio_q_P2_u_P1_of_place_86 = cos_q_p3_cos_q_p5
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_14,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_13 * sin_q_P3,
+        );
+    let ratio_q_P2_u_P1_of_place_87 = sin_q_p2_cos_q_p4
+        .mul_add(ratio_q_P2_u_P1_of_place_86, ratio_q_P2_u_P1_of_place_85 * cos_q_P2);
+    let ratio_q_P2_u_P1_of_place_88 = (-ratio_q_P2_u_P1_of_place_84)
+        .mul_add(S::int(2), ratio_q_P2_u_P1_of_q_p4_q_p5_10)
+        - ratio_q_P2_u_P1_of_place_87 * cos_q_P2;
+    let ratio_q_P2_u_P1_of_place_89 = (-cos_q_p3_cos_q_p5)
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_11,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_10 * sin_q_P3,
+        );
+    let ratio_q_P2_u_P1_of_place_90 = ratio_q_P2_u_P1_of_place_89 * sin_q_P2;
+    let ratio_q_P2_u_P1_of_place_91 = (-cos_q_p2_cos_q_p4)
+        .mul_add(
+            ratio_q_P2_u_P1_of_q_p4_q_p5_13,
+            S::int(2) * ratio_q_P2_u_P1_of_place_90,
+        );
+    let ratio_q_P2_u_P1_of_place_92 = cos_q_p2_cos_q_p4 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_93 = ratio_q_P2_u_P1_of_q_p4_q_p5_14
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_92,
+            ratio_q_P2_u_P1_of_q_p4_q_p5_11 * sin_q_P2,
+        );
+    let ratio_q_P2_u_P1_of_place_94 = ratio_q_P2_u_P1_of_place_93
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_91 * cos_q_P3);
+    let ratio_q_P2_u_P1_of_place_95 = (-ratio_q_P2_u_P1_of_place_94)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_88 * sin_q_P1);
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_15 = ratio_q_P2_u_P1_of_q_p4_q_p5
+        - ratio_q_P2_u_P1_of_q_p5_3 - ratio_q_P2_u_P1_of_q_p4_q_p5_7;
+    let ratio_q_P2_u_P1_of_place_96 = (-cos_q_p2_cos_q_p4)
+        .mul_add(ratio_q_P2_u_P1_of_q_p4_q_p5_15, ratio_q_P2_u_P1_of_place_90);
+    let x_rod2_frame_in_rod3_frame_3_4 = cos_q_P2 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_97 = x_rod2_frame_in_rod3_frame_3_4
+        .mul_add(ratio_q_P2_u_P1_of_q_p4_q_p5, ratio_q_P2_u_P1_of_place_39);
+    let cos_q_p4_cos_q_p5 = cos_q_P4 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_98 = ratio_q_P2_u_P1_of_place_96
+        .mul_add(cos_q_P3, ratio_q_P2_u_P1_of_place_95 * cos_q_P1)
+        + ratio_q_P2_u_P1_of_place_97 * cos_q_p4_cos_q_p5;
+    let ratio_q_P2_u_P1_of_place_99 = l_sq * ratio_q_P2_u_P1_of_place_98;
+    let ratio_q_P2_u_P1_of_place_100 = S::int(1)
+        / ((-ratio_q_P2_u_P1_of_place_16)
+            .mul_add(
+                ratio_q_P2_u_P1_of_place_50,
+                ratio_q_P2_u_P1_of_place_23 * ratio_q_P2_u_P1_of_place_72,
+            ) + ratio_q_P2_u_P1_of_place_29 * ratio_q_P2_u_P1_of_place_80
+            + ratio_q_P2_u_P1_of_place_82 * ratio_q_P2_u_P1_of_place_99);
+    let ratio_q_P2_u_P1_of_place_101 = l * ratio_q_P2_u_P1_of_place_100;
+    let ratio_q_P2_u_P1_of_place_102 = ratio_q_P2_u_P1_of_place_34 * ratio_q_P2_u_P1_of_place_101;
+    let ratio_q_P2_u_P1_of_q_p4_q_p5_16 = ratio_q_P2_u_P1_of_q_p4_q_p5 - ratio_q_P2_u_P1_of_q_p5;
+    let sin_q_p3_sin_q_p1 = sin_q_P1 * sin_q_P3;
+    let ratio_q_P2_u_P1_of_place_103 = (-cos_q_p3_cos_q_p1)
+        .mul_add(sin_q_P2, sin_q_p3_sin_q_p1);
+    let ratio_q_P2_u_P1_of_place_104 = cos_q_p3_sin_q_p1
+        .mul_add(sin_q_P4, ratio_q_P2_u_P1_of_place_8 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_105 = (-ratio_q_P2_u_P1_of_place_104)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_103 * sin_q_P5);
+    let ratio_q_P2_u_P1_of_place_106 = l_sq * ratio_q_P2_u_P1_of_place_101;
+    let ratio_q_P2_u_P1_of_place_107 = ratio_q_P2_u_P1_of_place_105 * ratio_q_P2_u_P1_of_place_106;
+    let ratio_q_P2_u_P1_of_place_108 = ratio_q_P2_u_P1_of_place_107 * cos_q_P5;
+    let ratio_q_P2_u_P1_of_place_109 = ratio_q_P2_u_P1_of_place_33
+        .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_15 * cos_q_P1);
+    let ratio_q_P2_u_P1_of_place_110 = ratio_q_P2_u_P1_of_place_98 * ratio_q_P2_u_P1_of_place_106;
+    let ratio_q_P2_u_P1 = ratio_q_P2_u_P1_of_q_p4_q_p5_16
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_108,
+            ratio_q_P2_u_P1_of_place_30 * ratio_q_P2_u_P1_of_place_102,
+        ) + ratio_q_P2_u_P1_of_place_109 * ratio_q_P2_u_P1_of_place_110;
+    let ratio_q_P3_u_P1_of_place = (-ratio_q_P2_u_P1_of_place_5)
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_41,
+            ratio_q_P2_u_P1_of_place_11 * ratio_q_P2_u_P1_of_place_32,
+        );
+    let ratio_q_P3_u_P1_of_place_2 = ratio_q_P2_u_P1_of_place_7
+        .mul_add(
+            ratio_q_P2_u_P1_of_place_41,
+            ratio_q_P2_u_P1_of_place_24 * ratio_q_P2_u_P1_of_place_32,
+        );
+    let ratio_q_P3_u_P1_of_place_3 = ratio_q_P2_u_P1_of_place_23
+        .mul_add(
+            ratio_q_P3_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_12 * ratio_q_P2_u_P1_of_place_82,
+        ) + ratio_q_P2_u_P1_of_place_29 * ratio_q_P3_u_P1_of_place_2;
+    let ratio_q_P3_u_P1_of_place_4 = ratio_q_P2_u_P1_of_place_101 * ratio_q_P2_u_P1_of_place_109;
+    let ratio_q_P3_u_P1_of_q_p3_q_p5 = ratio_q_P2_u_P1_of_q_p3_q_p5_4
+        .mul_add(cos_q_P5, -ratio_q_P2_u_P1_of_q_p5) - ratio_q_P2_u_P1_of_q_p3_q_p5;
+    let ratio_q_P3_u_P1_of_place_5 = ratio_q_P2_u_P1_of_place_107 * cos_q_P4;
+    let ratio_q_P3_u_P1 = ratio_q_P2_u_P1_of_place_50
+        .mul_add(
+            ratio_q_P3_u_P1_of_place_4,
+            ratio_q_P2_u_P1_of_place_102 * ratio_q_P3_u_P1_of_place_3,
+        ) - ratio_q_P3_u_P1_of_q_p3_q_p5 * ratio_q_P3_u_P1_of_place_5;
+    let ratio_q_P4_u_P1_of_place = x_rod1_frame_in_rod2_frame_1_3 * ratio_q_P2_u_P1_of_place_15;
+    let ratio_q_P4_u_P1_of_place_2 = (-ratio_q_P2_u_P1_of_place_6)
+        .mul_add(
+            ratio_q_P4_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_18 * ratio_q_P2_u_P1_of_place_38,
+        );
+    let ratio_q_P4_u_P1_of_place_3 = ratio_q_P2_u_P1_of_place_16
+        .mul_add(
+            ratio_q_P3_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_20 * ratio_q_P2_u_P1_of_place_82,
+        ) - ratio_q_P2_u_P1_of_place_29 * ratio_q_P4_u_P1_of_place_2;
+    let ratio_q_P4_u_P1_of_q_p4_q_p5 = ratio_q_P2_u_P1_of_q_p4_q_p5_4 - S::int(2);
+    let ratio_q_P4_u_P1_of_place_4 = (-ratio_q_P4_u_P1_of_q_p4_q_p5)
+        .mul_add(
+            sin_q_P3,
+            ratio_q_P2_u_P1_of_q_p4_q_p5 - ratio_q_P2_u_P1_of_q_p3_q_p5_2,
+        );
+    let ratio_q_P4_u_P1_of_place_5 = ratio_q_P4_u_P1_of_place_4
+        .mul_add(sin_q_P4, sin_q_P3 - sin_q_P5 + cos_q_p3_cos_q_p5);
+    let ratio_q_P4_u_P1 = ratio_q_P2_u_P1_of_place_102
+        .mul_add(
+            ratio_q_P4_u_P1_of_place_3,
+            ratio_q_P2_u_P1_of_place_72 * ratio_q_P3_u_P1_of_place_4,
+        ) - ratio_q_P2_u_P1_of_place_108 * ratio_q_P4_u_P1_of_place_5;
+    let ratio_q_P5_u_P1_of_place = ratio_q_P2_u_P1_of_place_16
+        .mul_add(
+            ratio_q_P3_u_P1_of_place_2,
+            ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_of_place_82,
+        ) + ratio_q_P2_u_P1_of_place_23 * ratio_q_P4_u_P1_of_place_2;
+    let ratio_q_P5_u_P1_of_q_p3_q_p5 = (-ratio_q_P2_u_P1_of_q_p5_4)
+        .mul_add(sin_q_P3, -ratio_q_P2_u_P1_of_q_p5_3);
+    let ratio_q_P5_u_P1_of_q_p3_q_p5_2 = sin_q_P3 - ratio_q_P2_u_P1_of_q_p3_q_p5_2;
+    let ratio_q_P5_u_P1_of_place_2 = ratio_q_P2_u_P1_of_q_p5
+        .mul_add(
+            ratio_q_P5_u_P1_of_q_p3_q_p5_2,
+            ratio_q_P5_u_P1_of_q_p3_q_p5 * sin_q_P4,
+        );
+    let ratio_q_P5_u_P1 = ratio_q_P2_u_P1_of_place_102
+        .mul_add(
+            ratio_q_P5_u_P1_of_place,
+            ratio_q_P2_u_P1_of_place_80 * ratio_q_P3_u_P1_of_place_4,
+        ) - ratio_q_P3_u_P1_of_place_5 * ratio_q_P5_u_P1_of_place_2;
+    let w_rod1_frame_in_rod2_frame_1 = u_P1 * sin_q_P2;
+    let w_rod1_frame_in_rod2_frame_2 = u_P1 * cos_q_P2;
+    let u_p1_ratio_q_p5_u_p1 = u_P1 * ratio_q_P5_u_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1 = u_p1_ratio_q_p5_u_p1 * cos_q_P5;
+    let ratio_q_P2_u_P1_2_of_u_p1_2 = ratio_q_P2_u_P1_of_q_p5 * ratio_q_P2_u_P1_2_of_u_p1;
+    let u_p1_cos_q_p4 = u_P1 * cos_q_P4;
+    let ratio_q_P2_u_P1_2_of_u_p1_3 = ratio_q_P4_u_P1 * u_p1_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_u_p1_4 = ratio_q_P2_u_P1_2_of_u_p1_3 * sin_q_P4;
+    let ratio_q_P2_u_P1_2_of_u_p1_5 = (-cos_q_p4_sq)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_2,
+            ratio_q_P2_u_P1_of_q_p5_4 * ratio_q_P2_u_P1_2_of_u_p1_4,
+        );
+    let ratio_q_P2_u_P1_2_of_u_p1_6 = ratio_q_P5_u_P1 * u_p1_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_u_p1_7 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_12)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_3,
+            cos_q_p4_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_6,
+        );
+    let ratio_q_P2_u_P1_2_of_u_p1_8 = S::int(2) * ratio_q_P2_u_P1_2_of_u_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_9 = ratio_q_P2_u_P1_2_of_u_p1_8 * sin_q_P5;
+    let ratio_q_P2_u_P1_2_of_u_p1_10 = ratio_q_P2_u_P1_2_of_u_p1_9 - ratio_q_P2_u_P1_2_of_u_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_11 = S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_5;
+    let ratio_q_P2_u_P1_2_of_u_p1_12 = sin_q_P4
+        * (ratio_q_P2_u_P1_2_of_u_p1_11 - ratio_q_P2_u_P1_2_of_u_p1_10)
+        + ratio_q_P2_u_P1_of_q_p4_q_p5_8 * ratio_q_P2_u_P1_2_of_u_p1_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_13 = ratio_q_P2_u_P1_2_of_u_p1_7 + ratio_q_P2_u_P1_2_of_u_p1_10;
+    let ratio_q_P2_u_P1_2_of_u_p1_14 = ratio_q_P2_u_P1_2_of_u_p1_12 - ratio_q_P2_u_P1_2_of_u_p1_13;
+    let ratio_q_P2_u_P1_2_of_u_p1_15 = u_p1_ratio_q_p5_u_p1 * sin_q_P5;
+    let u_p1_ratio_q_p3_u_p1 = u_P1 * ratio_q_P3_u_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_16 = u_p1_ratio_q_p3_u_p1 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_17 = ratio_q_P2_u_P1_2_of_u_p1_16 * cos_q_P5;
+    let ratio_q_P2_u_P1_2_of_u_p1_18 = ratio_q_P2_u_P1_2_of_u_p1_15
+        .mul_add(sin_q_P3, ratio_q_P2_u_P1_2_of_u_p1_17);
+    let ratio_q_P2_u_P1_2_of_u_p1_19 = u_p1_ratio_q_p3_u_p1 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_20 = ratio_q_P2_u_P1_of_q_p5
+        * ratio_q_P2_u_P1_2_of_u_p1_4.mul_add(S::int(4), ratio_q_P2_u_P1_2_of_u_p1_3)
+        - ratio_q_P2_u_P1_of_q_p4_3 * ratio_q_P2_u_P1_2_of_u_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_21 = cos_q_P3
+        * ((-ratio_q_P2_u_P1_of_q_p4_q_p5_11)
+            .mul_add(
+                ratio_q_P2_u_P1_2_of_u_p1_18,
+                ratio_q_P2_u_P1_2_of_u_p1_14 * cos_q_P3,
+            ) + ratio_q_P2_u_P1_of_q_p4_q_p5_10 * ratio_q_P2_u_P1_2_of_u_p1_19
+            + sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_20)
+        + ratio_q_P2_u_P1_of_place_83 * ratio_q_P2_u_P1_2_of_u_p1_19;
+    let u_p1_ratio_q_p4_u_p1 = u_P1 * ratio_q_P4_u_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_22 = u_p1_ratio_q_p4_u_p1 * sin_q_P4;
+    let ratio_q_P2_u_P1_2_of_u_p1_23 = ratio_q_P2_u_P1 * u_p1_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_u_p1_24 = ratio_q_P2_u_P1_2_of_u_p1_23
+        .mul_add(cos_q_P2, ratio_q_P2_u_P1_2_of_u_p1_22 * sin_q_P2);
+    let w_rod2_frame_3 = u_P1 * ratio_q_P2_u_P1;
     let sin_q_p2_w_rod2_frame_3 = w_rod2_frame_3 * sin_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_9 = ratio_q_P1_u_P4_of_place_16
-        .mul_add(sin_q_p2_w_rod2_frame_3, ratio_q_P1_u_P4_2_of_u_p4_8 * cos_q_P2);
-    let ratio_q_P1_u_P4_2_of_u_p4_10 = ratio_q_P1_u_P4_2_of_u_p4_7
-        .mul_add(cos_q_P5, ratio_q_P1_u_P4_2_of_u_p4_5 * cos_q_P3);
-    let ratio_q_P1_u_P4_2_of_u_p4_11 = ratio_q_P1_u_P4_2_of_u_p4_10 - ratio_q_P1_u_P4_2_of_u_p4;
-    let ratio_q_P1_u_P4_2_of_u_p4_12 = ratio_q_P1_u_P4_2_of_u_p4_4 * sin_q_P5;
-    let ratio_q_P1_u_P4_2_of_u_p4_13 = ratio_q_P1_u_P4_of_q_p3_q_p5_2
-        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_of_q_p3 * ratio_q_P1_u_P4_2_of_u_p4)
-        + ratio_q_P1_u_P4_2_of_u_p4_11 * sin_q_P4 + ratio_q_P1_u_P4_2_of_u_p4_12;
-    let u_p4_sin_q_p4 = u_P4 * sin_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_14 = (-w_rod2_frame_3)
-        .mul_add(cos_q_p2_cos_q_p4, u_p4_sin_q_p4 * sin_q_P2);
-    let ratio_q_P1_u_P4_2_of_u_p4_15 = ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_16 = ratio_q_P1_u_P4_of_q_p5_2
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_15);
-    let ratio_q_P1_u_P4_2_of_u_p4_17 = ratio_q_P1_u_P4_2_of_u_p4_16 - ratio_q_P1_u_P4_2_of_u_p4_10;
-    let ratio_q_P1_u_P4_2_of_u_p4_18 = (-ratio_q_P1_u_P4_2_of_u_p4_13)
-        .mul_add(cos_q_P2, ratio_q_P1_u_P4_of_place_35 * sin_q_p2_w_rod2_frame_3)
-        + ratio_q_P1_u_P4_of_q_p3_q_p5_4 * ratio_q_P1_u_P4_2_of_u_p4_14
-        + sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_17;
-    let cos_q_p1_w_rod1_frame_2 = w_rod1_frame_2 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_19 = ratio_q_P1_u_P4_2_of_u_p4 * cos_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_20 = (-ratio_q_P1_u_P4_of_q_p5_2)
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_7, ratio_q_P1_u_P4_2_of_u_p4_19);
-    let sin_q_p1_w_rod1_frame_2 = w_rod1_frame_2 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_25 = ratio_q_P2_u_P1_of_q_p5_2
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_3, ratio_q_P2_u_P1_2_of_u_p1 * sin_q_P4);
+    let ratio_q_P2_u_P1_2_of_u_p1_26 = ratio_q_P2_u_P1_2_of_u_p1_11 + ratio_q_P2_u_P1_2_of_u_p1_25;
+    let ratio_q_P2_u_P1_2_of_u_p1_27 = ratio_q_P2_u_P1_2_of_u_p1
+        .mul_add(S::int(3), -ratio_q_P2_u_P1_2_of_u_p1_9)
+        + S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_26;
+    let ratio_q_P2_u_P1_2_of_u_p1_28 = (-ratio_q_P2_u_P1_2_of_u_p1_15)
+        .mul_add(cos_q_P3, ratio_q_P2_u_P1_2_of_u_p1_19 * cos_q_P5);
+    let ratio_q_P2_u_P1_2_of_u_p1_29 = ratio_q_P2_u_P1_2_of_u_p1_25
+        .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_30 = (-ratio_q_P2_u_P1_2_of_u_p1_23)
+        .mul_add(sin_q_P2, cos_q_p2_sin_q_p4 * u_p1_ratio_q_p4_u_p1);
     let cos_q_p2_w_rod2_frame_3 = w_rod2_frame_3 * cos_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_21 = (-ratio_q_P1_u_P4_2_of_u_p4_7)
-        .mul_add(sin_q_P5, ratio_q_P1_u_P4_2_of_u_p4_19);
-    let ratio_q_P1_u_P4_2_of_u_p4_22 = sin_q_p3_cos_q_p5 * u_p4_cos_q_p4;
-    let ratio_q_P1_u_P4_2_of_u_p4_23 = ratio_q_P1_u_P4_2_of_u_p4_6
-        .mul_add(sin_q_P4, -ratio_q_P1_u_P4_2_of_u_p4_21) + ratio_q_P1_u_P4_2_of_u_p4_22;
-    let ratio_q_P1_u_P4_2_of_u_p4_24 = ratio_q_P1_u_P4_2_of_u_p4_23
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_10 * sin_q_p1_w_rod1_frame_2);
-    let ratio_q_P1_u_P4_2_of_place = l_sq * cos_q_p1_w_rod1_frame_2;
-    let ratio_q_P1_u_P4_2_of_u_p4_25 = sin_q_p1_l_sq
-        * (sin_q_P2
-            * (ratio_q_P1_u_P4_2_of_u_p4_18 * sin_q_P1
-                + ratio_q_P1_u_P4_of_place_36 * cos_q_p1_w_rod1_frame_2
-                - cos_q_p4_cos_q_p1 * (ratio_q_P1_u_P4_2_of_u_p4_6 + ratio_q_P1_u_P4_2_of_u_p4_20)
-                + ratio_q_P1_u_P4_of_q_p3_q_p5_6
-                    * (-sin_q_p1_w_rod1_frame_2)
-                        .mul_add(cos_q_P4, u_p4_sin_q_p4 * cos_q_P1))
-            + ratio_q_P1_u_P4_of_place_38 * sin_q_p2_w_rod2_frame_3
-            - ratio_q_P1_u_P4_of_place_37 * cos_q_p2_w_rod2_frame_3
-            - ratio_q_P1_u_P4_2_of_u_p4_24 * cos_q_P2)
-        + ratio_q_P1_u_P4_of_place_39 * ratio_q_P1_u_P4_2_of_place;
-    let ratio_q_P1_u_P4_2_of_u_p4_26 = ratio_q_P1_u_P4_2_of_u_p4_12 + ratio_q_P1_u_P4_2_of_u_p4_15;
-    let ratio_q_P1_u_P4_2_of_u_p4_27 = cos_q_p3_cos_q_p5 * u_p4_cos_q_p4;
-    let ratio_q_P1_u_P4_2_of_u_p4_28 = ratio_q_P1_u_P4_2_of_u_p4_10
-        .mul_add(sin_q_P4, ratio_q_P1_u_P4_2_of_u_p4_27);
-    let ratio_q_P1_u_P4_2_of_u_p4_29 = ratio_q_P1_u_P4_2_of_u_p4_26 + ratio_q_P1_u_P4_2_of_u_p4_28;
-    let ratio_q_P1_u_P4_2_of_u_p4_30 = u_P4
-        * ratio_q_P2_u_P4.mul_add(sin_q_p2_cos_q_p4, cos_q_p2_sin_q_p4);
-    let ratio_q_P1_u_P4_2_of_u_p4_31 = (-cos_q_p2_cos_q_p4)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_5,
-            ratio_q_P1_u_P4_of_place_10 * cos_q_p2_w_rod2_frame_3,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_23 * sin_q_P2 + ratio_q_P1_u_P4_2_of_u_p4_30 * cos_q_P5;
-    let ratio_q_P1_u_P4_2_of_u_p4_32 = (-ratio_q_P1_u_P4_of_place_11)
-        .mul_add(
-            cos_q_p1_w_rod1_frame_2,
-            ratio_q_P1_u_P4_of_place_9 * sin_q_p1_w_rod1_frame_2,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_29 * cos_q_P1 - ratio_q_P1_u_P4_2_of_u_p4_31 * sin_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_33 = (-ratio_q_P1_u_P4_2_of_u_p4_7)
-        .mul_add(sin_q_P1, cos_q_p1_w_rod1_frame_2 * cos_q_P3);
-    let ratio_q_P1_u_P4_2_of_u_p4_34 = ratio_q_P1_u_P4_2_of_u_p4_4 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_place_2 = sin_q_p1_w_rod1_frame_2 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_35 = ratio_q_P1_u_P4_2_of_place_2 - ratio_q_P1_u_P4_2_of_u_p4_34;
-    let ratio_q_P1_u_P4_2_of_place_3 = cos_q_p2_w_rod2_frame_3 * sin_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_36 = ratio_q_P1_u_P4_2_of_u_p4_30
-        - sin_q_p2_sin_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_4
-        + sin_q_P3 * u_p4_cos_q_p4.mul_add(sin_q_P2, ratio_q_P1_u_P4_2_of_place_3);
-    let ratio_q_P1_u_P4_2_of_u_p4_37 = sin_q_p1_w_rod1_frame_2
-        .mul_add(cos_q_P3, ratio_q_P1_u_P4_2_of_u_p4_7 * cos_q_P1);
-    let ratio_q_P1_u_P4_2_of_u_p4_38 = ratio_q_P1_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_5
-        - ratio_q_P1_u_P4_of_place_7 * ratio_q_P1_u_P4_2_of_u_p4
-        + cos_q_P5
-            * ((-ratio_q_P1_u_P4_2_of_u_p4_33)
-                .mul_add(sin_q_P2, cos_q_p3_sin_q_p1 * cos_q_p2_w_rod2_frame_3)
-                + ratio_q_P1_u_P4_2_of_u_p4_35)
-        + sin_q_P5
-            * ((-ratio_q_P1_u_P4_2_of_u_p4_36)
-                .mul_add(sin_q_P1, cos_q_p3_cos_q_p1 * u_p4_cos_q_p4)
-                + ratio_q_P1_u_P4_of_place_6 * cos_q_p1_w_rod1_frame_2
-                + ratio_q_P1_u_P4_2_of_u_p4_37 * sin_q_P4);
-    let ratio_q_P1_u_P4_2_of_u_p4_39 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_2)
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_3 * sin_q_P3);
-    let ratio_q_P1_u_P4_2_of_u_p4_40 = ratio_q_P1_u_P4_2_of_u_p4_10 - ratio_q_P1_u_P4_2_of_u_p4_39;
-    let ratio_q_P1_u_P4_2_of_u_p4_41 = (-ratio_q_P1_u_P4_of_place_3)
-        .mul_add(sin_q_p2_w_rod2_frame_3, sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4)
-        + ratio_q_P1_u_P4_of_q_p5_2 * ratio_q_P1_u_P4_2_of_u_p4_14
-        + ratio_q_P1_u_P4_2_of_u_p4_40 * cos_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_42 = (-sin_q_p2_cos_q_p4)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_5,
-            ratio_q_P1_u_P4_of_place_10 * sin_q_p2_w_rod2_frame_3,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_14 * cos_q_P5 - ratio_q_P1_u_P4_2_of_u_p4_23 * cos_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_43 = x_rod1_frame_in_N_3 * ratio_q_P1_u_P4_2_of_u_p4_42;
-    let ratio_q_P1_u_P4_2_of_u_p4_44 = cos_q_p1_w_rod1_frame_2
-        * (-ratio_q_P1_u_P4_of_place_12)
+    let ratio_q_P2_u_P1_2_of_u_p1_31 = sin_q_P2
+        * ((-ratio_q_P2_u_P1_2_of_u_p1_14)
             .mul_add(
-                ratio_q_P1_u_P4_of_place_84,
-                ratio_q_P1_u_P4_of_place_8 * ratio_q_P1_u_P4_of_place_70,
-            ) + ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_2_of_u_p4_32
-        - x_rod1_frame_in_N_3
-            * ratio_q_P1_u_P4_of_place_8
-                .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_41,
-                    ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_38,
-                ) - ratio_q_P1_u_P4_of_place_12 * ratio_q_P1_u_P4_2_of_u_p4_43;
-    let ratio_q_P1_u_P4_2_of_u_p4_45 = S::int(2) * u_p4_cos_q_p4 * sin_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_46 = ratio_q_P1_u_P4_2_of_u_p4_45
-        + ratio_q_P1_u_P4_of_q_p4_2 * ratio_q_P1_u_P4_2_of_u_p4
-        - sin_q_P5 * (u_p4_cos_q_p4 + ratio_q_P1_u_P4_2_of_u_p4_45);
-    let ratio_q_P1_u_P4_2_of_u_p4_47 = ratio_q_P1_u_P4_2_of_u_p4_46 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_48 = ratio_q_P1_u_P4_of_q_p4_q_p5_3 * ratio_q_P1_u_P4_2_of_u_p4_4;
-    let ratio_q_P1_u_P4_2_of_u_p4_49 = -ratio_q_P1_u_P4_2_of_u_p4 - ratio_q_P1_u_P4_2_of_u_p4_2;
-    let ratio_q_P1_u_P4_2_of_u_p4_50 = (-cos_q_p2_cos_q_p4)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_49,
-            ratio_q_P1_u_P4_of_q_p4_q_p5_4 * ratio_q_P1_u_P4_2_of_u_p4_30,
-        );
-    let ratio_q_P1_u_P4_2_of_u_p4_51 = ratio_q_P1_u_P4_of_q_p4
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_6, ratio_q_P1_u_P4_2_of_u_p4_22);
-    let ratio_q_P1_u_P4_2_of_u_p4_52 = (-ratio_q_P1_u_P4_of_q_p4_q_p5_3)
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_7, ratio_q_P1_u_P4_2_of_u_p4_46 * cos_q_P3);
-    let ratio_q_P1_u_P4_2_of_place_4 = S::int(2) * cos_q_p1_w_rod1_frame_2;
-    let ratio_q_P1_u_P4_2_of_u_p4_53 = ratio_q_P1_u_P4_of_place_28 * cos_q_p1_w_rod1_frame_2
-        - ratio_q_P1_u_P4_of_place_30 * ratio_q_P1_u_P4_2_of_u_p4_34
-        + sin_q_P1
-            * (ratio_q_P1_u_P4_of_place_21 * ratio_q_P1_u_P4_2_of_u_p4_35
-                - ratio_q_P1_u_P4_of_place_27 * cos_q_p2_w_rod2_frame_3
-                - sin_q_p3_cos_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_50
-                - sin_q_P2
-                    * (ratio_q_P1_u_P4_of_place_26 * ratio_q_P1_u_P4_2_of_u_p4_7
-                        + ratio_q_P1_u_P4_of_place_19 * ratio_q_P1_u_P4_2_of_place_2
-                        - sin_q_p3_cos_q_p1
-                            * ratio_q_P1_u_P4_2_of_u_p4_48
-                                .mul_add(S::int(2), ratio_q_P1_u_P4_2_of_u_p4_47)
-                        + cos_q_P3
-                            * (sin_q_P1
-                                * (-sin_q_P2
-                                    * (ratio_q_P1_u_P4_of_q_p4
-                                        .mul_add(
-                                            ratio_q_P1_u_P4_2_of_u_p4_10,
-                                            ratio_q_P1_u_P4_2_of_u_p4_27,
-                                        ) + ratio_q_P1_u_P4_2_of_u_p4_47
-                                        + ratio_q_P1_u_P4_2_of_u_p4_48)
-                                    + ratio_q_P1_u_P4_of_place_20 * cos_q_p2_w_rod2_frame_3
-                                    + ratio_q_P1_u_P4_2_of_u_p4_50)
-                                - ratio_q_P1_u_P4_of_place_22 * cos_q_p1_w_rod1_frame_2
-                                - ratio_q_P1_u_P4_of_place_25 * sin_q_p1_w_rod1_frame_2
-                                + cos_q_P1
-                                    * (-ratio_q_P1_u_P4_2_of_u_p4_51)
-                                        .mul_add(S::int(2), ratio_q_P1_u_P4_2_of_u_p4_52))))
-        + sin_q_p3_cos_q_p1 * cos_q_P1
-            * (ratio_q_P1_u_P4_2_of_u_p4_51 - ratio_q_P1_u_P4_2_of_u_p4_52)
-        + ratio_q_P1_u_P4_of_place_29 * sin_q_p3_sin_q_p1 * ratio_q_P1_u_P4_2_of_place_4;
-    let ratio_q_P1_u_P4_2_of_u_p4_54 = ratio_q_P1_u_P4_of_q_p5_2
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_30,
-            cos_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4,
-        );
-    let ratio_q_P1_u_P4_2_of_u_p4_55 = (-ratio_q_P1_u_P4_of_place_3)
-        .mul_add(cos_q_p2_w_rod2_frame_3, ratio_q_P1_u_P4_2_of_u_p4_54)
-        - ratio_q_P1_u_P4_2_of_u_p4_40 * sin_q_P2;
-    let ratio_q_P1_u_P4_2_of_u_p4_56 = ratio_q_P1_u_P4_of_place_13
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_25,
-            l * ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_9,
-        ) + ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_42
-        + ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_2_of_u_p4_44
-        + ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_2_of_u_p4_53
-        + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_55;
-    let ratio_q_P1_u_P4_2_of_u_p4_57 = (-ratio_q_P1_u_P4_of_place_9)
-        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_29 * sin_q_P1)
-        - ratio_q_P1_u_P4_of_place_11 * sin_q_p1_w_rod1_frame_2
-        + ratio_q_P1_u_P4_2_of_u_p4_31 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_58 = ratio_q_P1_u_P4_2_of_u_p4_41 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_59 = ratio_q_P1_u_P4_of_place_4
-        .mul_add(sin_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_58);
-    let ratio_q_P1_u_P4_2_of_u_p4_60 = (-ratio_q_P1_u_P4_2_of_u_p4_8)
-        .mul_add(cos_q_P1, ratio_q_P1_u_P4_of_place_16 * sin_q_p1_w_rod1_frame_2);
-    let ratio_q_P1_u_P4_2_of_place_5 = w_rod2_frame_3 * ratio_q_P1_u_P4_of_place_17;
-    let ratio_q_P1_u_P4_2_of_u_p4_61 = (-ratio_q_P1_u_P4_of_place_61)
-        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_40 * sin_q_P1)
-        + ratio_q_P1_u_P4_2_of_u_p4_60 * sin_q_P2 + ratio_q_P1_u_P4_2_of_place_5 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_62 = l * ratio_q_P1_u_P4_2_of_u_p4_61;
-    let ratio_q_P1_u_P4_2_of_place_6 = ratio_q_P1_u_P4_of_place_13 * cos_q_p1_w_rod1_frame_2;
-    let ratio_q_P1_u_P4_2_of_u_p4_63 = (-ratio_q_P1_u_P4_of_place_59)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_38,
-            ratio_q_P1_u_P4_of_place_53 * ratio_q_P1_u_P4_2_of_u_p4_55,
-        ) - S::int(2) * ratio_q_P1_u_P4_of_place_14 * ratio_q_P1_u_P4_2_of_u_p4_42
-        - ratio_q_P1_u_P4_of_place_84 * ratio_q_P1_u_P4_2_of_place_6;
-    let ratio_q_P1_u_P4_2_of_place_7 = cos_q_p1_w_rod1_frame_2 * sin_q_P2;
-    let ratio_q_P1_u_P4_2_of_place_8 = (-cos_q_p2_w_rod2_frame_3)
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_2_of_place_7);
-    let ratio_q_P1_u_P4_2_of_u_p4_64 = x_rod1_frame_in_rod2_frame_2_3
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_29, ratio_q_P1_u_P4_2_of_u_p4_24)
-        - ratio_q_P1_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_place_8;
-    let ratio_q_P1_u_P4_2_of_place_9 = l * ratio_q_P1_u_P4_of_place_83;
-    let ratio_q_P1_u_P4_2_of_u_p4_65 = (-ratio_q_P1_u_P4_of_place_18)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_38,
-            ratio_q_P1_u_P4_of_place_53 * ratio_q_P1_u_P4_2_of_u_p4_9,
-        ) + ratio_q_P1_u_P4_of_place_84 * ratio_q_P1_u_P4_2_of_u_p4_64
-        - ratio_q_P1_u_P4_2_of_u_p4_42 * ratio_q_P1_u_P4_2_of_place_9;
-    let ratio_q_P1_u_P4_2_of_u_p4_66 = (-ratio_q_P1_u_P4_of_place_14)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_9,
-            ratio_q_P1_u_P4_2_of_u_p4_55 * ratio_q_P1_u_P4_2_of_place_9,
-        ) - ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_2_of_u_p4_43
-        - ratio_q_P1_u_P4_of_place_18 * ratio_q_P1_u_P4_2_of_place_6
-        - ratio_q_P1_u_P4_of_place_59 * ratio_q_P1_u_P4_2_of_u_p4_64;
-    let ratio_q_P1_u_P4_2_of_u_p4_67 = l * ratio_q_P1_u_P4_2_of_u_p4_57;
-    let ratio_q_P1_u_P4_2_of_u_p4_68 = l * ratio_q_P1_u_P4_2_of_u_p4_59;
-    let ratio_q_P1_u_P4_2_of_u_p4_69 = (-u_P4)
-        .mul_add(
-            ratio_q_P1_u_P4_of_place_32,
-            cos_q_p2_sin_q_p4 * ratio_q_P1_u_P4_2_of_u_p4,
-        ) + ratio_q_P1_u_P4_of_q_p4_q_p5 * sin_q_p2_w_rod2_frame_3
-        + ratio_q_P1_u_P4_of_q_p3_q_p5_3 * ratio_q_P1_u_P4_2_of_u_p4_14
-        + sin_q_p2_cos_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_16;
-    let ratio_q_P1_u_P4_2_of_u_p4_70 = ratio_q_P1_u_P4_2_of_u_p4
-        .mul_add(cos_q_P4, u_P4 * ratio_q_P1_u_P4_of_q_p4_q_p5);
-    let ratio_q_P1_u_P4_2_of_u_p4_71 = sin_q_p1_l_sq
-        * (ratio_q_P1_u_P4_of_place_48 * u_p4_sin_q_p4
-            - ratio_q_P1_u_P4_of_place_49 * sin_q_p2_w_rod2_frame_3
-            + cos_q_P2
-                * ((-ratio_q_P1_u_P4_of_place_35)
-                    .mul_add(
-                        cos_q_p1_w_rod1_frame_2,
-                        ratio_q_P1_u_P4_2_of_u_p4_13 * sin_q_P1,
-                    ) + ratio_q_P1_u_P4_2_of_u_p4_24)
-            + cos_q_P4
-                * (cos_q_P1
-                    * (ratio_q_P1_u_P4_2_of_u_p4_20
-                        + ratio_q_P1_u_P4_of_q_p2_q_p3 * ratio_q_P1_u_P4_2_of_u_p4_5
-                        + cos_q_P5 * (cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_4))
-                    - x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P1_u_P4_2_of_u_p4_17
-                    - ratio_q_P1_u_P4_of_place_47 * sin_q_p1_w_rod1_frame_2
-                    - ratio_q_P1_u_P4_of_q_p3_q_p5_4 * ratio_q_P1_u_P4_2_of_place_8))
-        + ratio_q_P1_u_P4_of_place_50 * ratio_q_P1_u_P4_2_of_place;
-    let ratio_q_P1_u_P4_2_of_u_p4_72 = ratio_q_P1_u_P4_of_place_16
-        .mul_add(cos_q_p1_w_rod1_frame_2, ratio_q_P1_u_P4_2_of_u_p4_8 * sin_q_P1)
-        + ratio_q_P1_u_P4_of_place_44 * sin_q_p1_w_rod1_frame_2
-        - ratio_q_P1_u_P4_2_of_u_p4_55 * cos_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_73 = ratio_q_P1_u_P4_of_place_54 * ratio_q_P1_u_P4_2_of_u_p4
-        + ratio_q_P1_u_P4_of_place_55 * ratio_q_P1_u_P4_2_of_u_p4_5
-        + cos_q_P5
-            * (ratio_q_P1_u_P4_of_place_6
-                .mul_add(sin_q_p1_w_rod1_frame_2, cos_q_p3_sin_q_p1 * u_p4_cos_q_p4)
-                - ratio_q_P1_u_P4_2_of_u_p4_33 * sin_q_P4 + ratio_q_P1_u_P4_2_of_u_p4_36 * cos_q_P1)
-        + sin_q_P5
-            * (cos_q_p1_w_rod1_frame_2
-                .mul_add(sin_q_P3, ratio_q_P1_u_P4_2_of_u_p4_4 * sin_q_P1)
-                + cos_q_p3_cos_q_p1 * cos_q_p2_w_rod2_frame_3
-                + ratio_q_P1_u_P4_2_of_u_p4_37 * sin_q_P2);
-    let ratio_q_P1_u_P4_2_of_u_p4_74 = ratio_q_P5_u_P4_of_place_8
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_38,
-            l * ratio_q_P1_u_P4_of_place_56 * ratio_q_P1_u_P4_2_of_u_p4_32,
-        ) + ratio_q_P1_u_P4_of_place_53 * ratio_q_P1_u_P4_2_of_u_p4_72
-        - ratio_q_P1_u_P4_of_place_57 * ratio_q_P1_u_P4_2_of_u_p4_73;
-    let ratio_q_P1_u_P4_2_of_place_10 = l * ratio_q_P1_u_P4_of_place_58;
-    let ratio_q_P1_u_P4_2_of_u_p4_75 = ratio_q_P1_u_P4_of_place_13
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_71,
-            ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_2_of_u_p4_42,
-        ) - ratio_q_P1_u_P4_of_place_59 * ratio_q_P1_u_P4_2_of_u_p4_74
-        + ratio_q_P1_u_P4_2_of_u_p4_55 * ratio_q_P1_u_P4_2_of_place_10;
-    let ratio_q_P1_u_P4_2_of_u_p4_76 = ratio_q_P1_u_P4_2_of_u_p4_55
-        .mul_add(sin_q_P1, ratio_q_P1_u_P4_of_place_44 * cos_q_p1_w_rod1_frame_2)
-        - ratio_q_P1_u_P4_2_of_u_p4_60;
-    let ratio_q_P1_u_P4_2_of_u_p4_77 = l * ratio_q_P1_u_P4_2_of_u_p4_76;
-    let ratio_q_P1_u_P4_2_of_u_p4_78 = ratio_q_P1_u_P4_of_place_64
-        * cos_q_p1_w_rod1_frame_2 + ratio_q_P1_u_P4_of_place_66 * sin_q_p1_w_rod1_frame_2
-        + sin_q_P1
-            * ((-ratio_q_P1_u_P4_of_place_36)
-                .mul_add(
-                    sin_q_p2_w_rod2_frame_3,
-                    ratio_q_P1_u_P4_of_place_9 * cos_q_p2_w_rod2_frame_3,
-                ) - ratio_q_P1_u_P4_2_of_u_p4_18 * cos_q_P2
-                - ratio_q_P1_u_P4_of_q_p2 * ratio_q_P1_u_P4_2_of_u_p4_29)
+                sin_q_P3,
+                ratio_q_P2_u_P1_of_q_p4_q_p5_10 * ratio_q_P2_u_P1_2_of_u_p1_16,
+            ) + cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_20
+            + ratio_q_P2_u_P1_of_q_p4_q_p5_11 * ratio_q_P2_u_P1_2_of_u_p1_28)
+        + ratio_q_P2_u_P1_of_place_89 * cos_q_p2_w_rod2_frame_3;
+    let x_rod2_frame_in_rod3_frame_2_4 = cos_q_P2 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_32 = ratio_q_P3_u_P1 * u_p1_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_u_p1_33 = x_rod2_frame_in_rod3_frame_2_4
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_32, ratio_q_P2_u_P1_2_of_u_p1_30 * sin_q_P3);
+    let u_p1_cos_q_p1 = u_P1 * cos_q_P1;
+    let u_p1_sin_q_p1 = u_P1 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_34 = ratio_q_P2_u_P1_of_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_8;
+    let ratio_q_P2_u_P1_2_of_u_p1_35 = ratio_q_P2_u_P1_2_of_u_p1_6 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_36 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_24, ratio_q_P2_u_P1_2_of_u_p1_35 * cos_q_P5);
+    let ratio_q_P2_u_P1_2_of_u_p1_37 = ratio_q_P2_u_P1_2_of_u_p1_25
+        .mul_add(cos_q_P2, ratio_q_P2_u_P1_of_q_p4_q_p5 * sin_q_p2_w_rod2_frame_3);
+    let ratio_q_P2_u_P1_2_of_u_p1_38 = -ratio_q_P2_u_P1_of_place_97
+        * ratio_q_P2_u_P1_2_of_u_p1_22
+            .mul_add(cos_q_P5, ratio_q_P2_u_P1_2_of_u_p1_6 * sin_q_P5)
+        + ratio_q_P2_u_P1_of_place_96 * ratio_q_P2_u_P1_2_of_u_p1_19
+        + ratio_q_P2_u_P1_of_place_95 * u_p1_sin_q_p1
         + cos_q_P1
-            * (-cos_q_P3
-                * (ratio_q_P1_u_P4_2_of_u_p4_30
-                    - ratio_q_P1_u_P4_of_q_p2_q_p4 * ratio_q_P1_u_P4_2_of_u_p4
-                    + sin_q_P5 * (cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_30))
-                + ratio_q_P1_u_P4_of_q_p2_q_p4_2 * ratio_q_P1_u_P4_2_of_u_p4_6
-                + ratio_q_P1_u_P4_of_place_65 * ratio_q_P1_u_P4_2_of_u_p4_7
-                - sin_q_p3_cos_q_p5
-                    * (ratio_q_P1_u_P4_of_q_p2_2
-                        .mul_add(u_p4_cos_q_p4, ratio_q_P1_u_P4_2_of_u_p4_30)
-                        + ratio_q_P1_u_P4_2_of_place_3));
-    let ratio_q_P1_u_P4_2_of_u_p4_79 = (-cos_q_p1_l_sq)
+            * (sin_q_P1
+                * (ratio_q_P2_u_P1_2_of_u_p1_14 - S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_21
+                    - ratio_q_P2_u_P1_of_place_87 * sin_q_p2_w_rod2_frame_3
+                    + cos_q_P2
+                        * (-cos_q_P2
+                            * (ratio_q_P2_u_P1_2_of_u_p1
+                                + ratio_q_P2_u_P1_of_q_p4_q_p5_6 * ratio_q_P2_u_P1_2_of_u_p1_3
+                                + sin_q_P4
+                                    * ratio_q_P2_u_P1_2_of_u_p1_5
+                                        .mul_add(S::int(4), ratio_q_P2_u_P1_2_of_u_p1)
+                                - S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_7
+                                - ratio_q_P2_u_P1_2_of_u_p1_21)
+                            + ratio_q_P2_u_P1_of_place_86 * ratio_q_P2_u_P1_2_of_u_p1_24
+                            - ratio_q_P2_u_P1_of_place_85 * sin_q_p2_w_rod2_frame_3
+                            - sin_q_p2_cos_q_p4
+                                * ((-ratio_q_P2_u_P1_of_q_p4_q_p5_13)
+                                    .mul_add(
+                                        ratio_q_P2_u_P1_2_of_u_p1_16,
+                                        ratio_q_P2_u_P1_2_of_u_p1_27 * sin_q_P3,
+                                    )
+                                    + ratio_q_P2_u_P1_of_q_p4_q_p5_14 * ratio_q_P2_u_P1_2_of_u_p1_28
+                                    + cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_29)))
+                + cos_q_P1
+                    * (ratio_q_P2_u_P1_of_place_93 * ratio_q_P2_u_P1_2_of_u_p1_15
+                        - ratio_q_P2_u_P1_of_place_91 * ratio_q_P2_u_P1_2_of_u_p1_19
+                        + cos_q_P3
+                            * ((-ratio_q_P2_u_P1_of_q_p4_q_p5_13)
+                                .mul_add(
+                                    ratio_q_P2_u_P1_2_of_u_p1_30,
+                                    cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_2_of_u_p1_27,
+                                ) + S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_31)
+                        + cos_q_P5
+                            * ((-ratio_q_P2_u_P1_2_of_u_p1_20)
+                                .mul_add(
+                                    sin_q_P2,
+                                    ratio_q_P2_u_P1_of_q_p4_q_p5_11 * cos_q_p2_w_rod2_frame_3,
+                                ) - ratio_q_P2_u_P1_of_place_92 * ratio_q_P2_u_P1_2_of_u_p1_29
+                                + ratio_q_P2_u_P1_of_q_p4_q_p5_14 * ratio_q_P2_u_P1_2_of_u_p1_33))
+                - ratio_q_P2_u_P1_of_place_88 * u_p1_cos_q_p1
+                - ratio_q_P2_u_P1_of_place_94 * u_p1_sin_q_p1)
+        + cos_q_P3
+            * (-ratio_q_P2_u_P1_2_of_u_p1_31
+                + ratio_q_P2_u_P1_of_q_p4_q_p5_15 * ratio_q_P2_u_P1_2_of_u_p1_30
+                - cos_q_p2_cos_q_p4 * (ratio_q_P2_u_P1_2_of_u_p1_26 + ratio_q_P2_u_P1_2_of_u_p1_34))
+        + cos_q_p4_cos_q_p5
+            * ((-ratio_q_P2_u_P1_of_place_21)
+                .mul_add(ratio_q_P2_u_P1_2_of_u_p1_16, ratio_q_P2_u_P1_2_of_u_p1_36)
+                + ratio_q_P2_u_P1_2_of_u_p1_37 * sin_q_P3);
+    let ratio_q_P2_u_P1_2_of_u_p1_39 = ratio_q_P2_u_P1_2_of_u_p1_3 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_40 = sin_q_p2_w_rod2_frame_3
+        .mul_add(sin_q_P4, ratio_q_P2_u_P1_2_of_u_p1_39);
+    let ratio_q_P2_u_P1_2_of_u_p1_41 = ratio_q_P2_u_P1_2_of_u_p1_32 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_42 = ratio_q_P2_u_P1_2_of_u_p1_41
+        .mul_add(cos_q_P3, -ratio_q_P2_u_P1_2_of_u_p1_40);
+    let sin_q_p4_u_p1_cos_q_p1 = u_p1_cos_q_p1 * sin_q_P4;
+    let cos_q_p3_ratio_q_p4_u_p1 = ratio_q_P4_u_P1 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_43 = (-sin_q_p4_u_p1_cos_q_p1)
         .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_78,
-            w_rod1_frame_2 * sin_q_p1_l_sq * ratio_q_P1_u_P4_of_place_67,
+            cos_q_p3_ratio_q_p4_u_p1,
+            sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_32,
         );
-    let ratio_q_P1_u_P4_2_of_u_p4_80 = (-ratio_q_P1_u_P4_of_place_18)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_74,
-            ratio_q_P1_u_P4_of_place_68 * ratio_q_P1_u_P4_2_of_u_p4_42,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_9 * ratio_q_P1_u_P4_2_of_place_10
-        - ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_2_of_u_p4_79;
-    let ratio_q_P1_u_P4_2_of_u_p4_81 = (-ratio_q_P1_u_P4_of_place_68)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_55,
-            ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_2_of_u_p4_9,
-        ) + ratio_q_P1_u_P4_of_place_17 * ratio_q_P1_u_P4_2_of_u_p4_71
-        + ratio_q_P1_u_P4_of_place_33 * ratio_q_P1_u_P4_2_of_u_p4_79;
-    let ratio_q_P1_u_P4_2_of_u_p4_82 = ratio_q_P1_u_P4_of_place_75
-        * ((-ratio_q_P1_u_P4_of_place_60)
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_u_p4_62,
-                ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_2_of_u_p4_56,
-            ) - ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_u_p4_67
-            - ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_2_of_u_p4_68
-            + ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_75
-            + ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_2_of_u_p4_77
-            + ratio_q_P1_u_P4_of_place_71 * ratio_q_P1_u_P4_2_of_u_p4_80
-            - ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_81);
-    let ratio_q_P1_u_P4_2_of_u_p4_83 = (-ratio_q_P1_u_P4_of_place_42)
-        .mul_add(
-            sin_q_p1_w_rod1_frame_2,
-            ratio_q_P1_u_P4_of_q_p4_q_p5_5 * ratio_q_P1_u_P4_2_of_u_p4_33,
-        ) + ratio_q_P1_u_P4_2_of_u_p4_69 * cos_q_P1
-        + cos_q_p3_sin_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_70;
-    let ratio_q_P1_u_P4_2_of_u_p4_84 = ratio_q_P1_u_P4_of_place_76
-        * ratio_q_P1_u_P4_of_place_43
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_83);
-    let ratio_q_P1_u_P4_2_of_u_p4_85 = (-ratio_q_P1_u_P4_2_of_u_p4_2)
-        .mul_add(sin_q_P2, ratio_q_P1_u_P4_of_place_32 * ratio_q_P1_u_P4_2_of_u_p4_4)
-        + ratio_q_P1_u_P4_of_q_p4_q_p5 * cos_q_p2_w_rod2_frame_3
-        + ratio_q_P1_u_P4_2_of_u_p4_54 * sin_q_P3;
-    let ratio_q_P1_u_P4_2_of_u_p4_86 = ratio_q_P1_u_P4_of_place_76
-        * ratio_q_P1_u_P4_of_place_80
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_85);
-    let ratio_q_P1_u_P4_2_of_u_p4_87 = (-ratio_q_P1_u_P4_of_place_42)
-        .mul_add(
-            cos_q_p1_w_rod1_frame_2,
-            cos_q_p3_cos_q_p1 * ratio_q_P1_u_P4_2_of_u_p4_70,
-        ) - ratio_q_P1_u_P4_of_q_p4_q_p5_5 * ratio_q_P1_u_P4_2_of_u_p4_37
-        - ratio_q_P1_u_P4_2_of_u_p4_69 * sin_q_P1;
-    let ratio_q_P1_u_P4_2_of_u_p4_88 = ratio_q_P1_u_P4_of_place_76
-        * ratio_q_P1_u_P4_of_place_88
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, ratio_q_P1_u_P4_2_of_u_p4_87);
-    let ratio_q_P1_u_P4_2_of_u_p4_89 = ratio_q_P1_u_P4_2_of_u_p4 + ratio_q_P1_u_P4_2_of_u_p4_10;
-    let ratio_q_P1_u_P4_2_of_u_p4_90 = sin_q_P1
-        * ((-sin_q_p2_cos_q_p4)
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_4, u_P4 * cos_q_p2_cos_q_p4)
-            - sin_q_p2_w_rod2_frame_3 * sin_q_P4 - ratio_q_P1_u_P4_2_of_u_p4_14 * sin_q_P3)
-        + cos_q_p3_cos_q_p1 * u_p4_sin_q_p4 - ratio_q_P1_u_P4_of_place_93 * cos_q_p1_w_rod1_frame_2
-        - ratio_q_P1_u_P4_2_of_u_p4_37 * cos_q_P4;
-    let ratio_q_P1_u_P4_2_of_u_p4_91 = cos_q_P5
-        * ratio_q_P1_u_P4_of_place_94
-            .mul_add(ratio_q_P1_u_P4_2_of_u_p4_82, -ratio_q_P1_u_P4_2_of_u_p4_90);
-    let ratio_q_P1_u_P4_2_of_u_p4_92 = ratio_q_P1_u_P4_of_place_92
-        * ratio_q_P1_u_P4_2_of_u_p4_91
-            .mul_add(
-                cos_q_P5,
-                S::int(2) * ratio_q_P1_u_P4_of_place_94 * ratio_q_P1_u_P4_2_of_u_p4 * sin_q_P5,
-            );
-    let ratio_q_P1_u_P4_2 = ratio_q_P1_u_P4_of_place_81
-        * (ratio_q_P1_u_P4_of_place_63
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_u_p4_44,
-                ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_25,
-            ) - ratio_q_P1_u_P4_of_place_78 * ratio_q_P1_u_P4_2_of_u_p4_53
-            - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_57
-            + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_59
-            - ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_62)
-        - ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_2_of_u_p4_56
-        + ratio_q_P1_u_P4_of_place_89
-            * ((-ratio_q_P1_u_P4_of_place_82)
+    let ratio_q_P2_u_P1_2_of_u_p1_44 = cos_q_p3_sin_q_p1
+        .mul_add(u_p1_cos_q_p4, ratio_q_P2_u_P1_2_of_u_p1_43);
+    let ratio_q_P2_u_P1_2_of_u_p1_45 = cos_q_P5
+        * (sin_q_P1
+            * ratio_q_P2_u_P1_2_of_u_p1_24
+                .mul_add(sin_q_P3, ratio_q_P2_u_P1_2_of_u_p1_42)
+            + ratio_q_P2_u_P1_of_place * u_p1_cos_q_p1 + ratio_q_P2_u_P1_2_of_u_p1_44)
+        - ratio_q_P2_u_P1_of_place_3 * ratio_q_P2_u_P1_2_of_u_p1_15;
+    let ratio_q_P2_u_P1_2_of_u_p1_46 = ratio_q_P2_u_P1_2_of_u_p1_6 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_47 = (-ratio_q_P2_u_P1_2_of_u_p1_25)
+        .mul_add(sin_q_P2, ratio_q_P2_u_P1_of_q_p4_q_p5 * cos_q_p2_w_rod2_frame_3)
+        - ratio_q_P2_u_P1_of_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1_33
+        + sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_46;
+    let ratio_q_P2_u_P1_2_of_u_p1_48 = ratio_q_P2_u_P1_2_of_u_p1 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_49 = sin_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_50 = (-ratio_q_P2_u_P1_2_of_u_p1_19)
+        .mul_add(sin_q_P5, ratio_q_P2_u_P1_2_of_u_p1_18 * sin_q_P4)
+        - ratio_q_P2_u_P1_2_of_u_p1_48 - ratio_q_P2_u_P1_2_of_u_p1_49;
+    let ratio_q_P2_u_P1_2_of_u_p1_51 = (-ratio_q_P2_u_P1_of_place_4)
+        .mul_add(sin_q_p2_w_rod2_frame_3, ratio_q_P2_u_P1_2_of_u_p1_24 * cos_q_P5)
+        + ratio_q_P2_u_P1_2_of_u_p1_35 * sin_q_P5 + ratio_q_P2_u_P1_2_of_u_p1_50 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_52 = u_p1_cos_q_p1
+        .mul_add(sin_q_P2, w_rod2_frame_3 * x_rod1_frame_in_rod2_frame_1_3);
+    let ratio_q_P2_u_P1_2_of_u_p1_53 = ratio_q_P2_u_P1_2_of_u_p1_16 * cos_q_P1;
+    let sin_q_p3_u_p1_sin_q_p1 = u_p1_sin_q_p1 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_54 = -ratio_q_P2_u_P1_2_of_u_p1_30
+        + sin_q_p2_sin_q_p4 * ratio_q_P2_u_P1_2_of_u_p1_16
+        + sin_q_P3
+            * (-ratio_q_P2_u_P1_2_of_u_p1_3)
+                .mul_add(sin_q_P2, cos_q_p2_w_rod2_frame_3 * sin_q_P4);
+    let ratio_q_P2_u_P1_2_of_u_p1_55 = u_p1_sin_q_p1
+        .mul_add(cos_q_P3, ratio_q_P2_u_P1_2_of_u_p1_19 * cos_q_P1);
+    let ratio_q_P2_u_P1_2_of_u_p1_56 = x_rod2_frame_in_rod3_frame_2_5 * ratio_q_P2_u_P1_2_of_u_p1_15
+        - ratio_q_P2_u_P1_of_place_9 * ratio_q_P2_u_P1_2_of_u_p1
+        + cos_q_P5
+            * ((-x_rod1_frame_in_rod2_frame_2_3)
                 .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_62,
-                    ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_63,
-                ) + ratio_q_P1_u_P4_of_place_71 * ratio_q_P1_u_P4_2_of_u_p4_65
-                - ratio_q_P1_u_P4_of_place_74 * ratio_q_P1_u_P4_2_of_u_p4_66
-                + ratio_q_P1_u_P4_of_place_86 * ratio_q_P1_u_P4_2_of_u_p4_67
-                - ratio_q_P1_u_P4_of_place_85 * ratio_q_P1_u_P4_2_of_u_p4_68)
-        + ratio_q_P1_u_P4_of_place_41 * ratio_q_P1_u_P4_2_of_u_p4_84
-        + ratio_q_P1_u_P4_of_place_79 * ratio_q_P1_u_P4_2_of_u_p4_86
-        - ratio_q_P1_u_P4_of_place_87 * ratio_q_P1_u_P4_2_of_u_p4_88
-        + ratio_q_P1_u_P4_of_place_97
-            * (ratio_q_P1_u_P4_2_of_u_p4_4 - ratio_q_P1_u_P4_of_place_90 * u_p4_cos_q_p4
-                + sin_q_P4
-                    * ((-ratio_q_P1_u_P4_of_q_p4_q_p5_6)
-                        .mul_add(
-                            ratio_q_P1_u_P4_2_of_u_p4_4, ratio_q_P1_u_P4_2_of_u_p4_2,
-                        ) - ratio_q_P1_u_P4_2_of_u_p4_10 + ratio_q_P1_u_P4_2_of_u_p4_49 * sin_q_P3)
-                - ratio_q_P1_u_P4_2_of_u_p4_89)
-        - ratio_q_P1_u_P4_of_place_91 * ratio_q_P1_u_P4_2_of_u_p4_92;
-    let alpha_rod1_frame_2 = u_P4 * ratio_q_P1_u_P4_2;
-    let a_rod1_centre_3 = l * alpha_rod1_frame_2;
-    let x_rod1_frame_3 = m * a_rod1_centre_3;
-    let m_l_sq = m * l_sq;
-    let x_rod1_frame_2_2 = alpha_rod1_frame_2 * m_l_sq;
-    let w_rod1_frame_in_rod2_frame_1 = w_rod1_frame_2 * sin_q_P2;
-    let w_rod1_frame_in_rod2_frame_2 = w_rod1_frame_2 * cos_q_P2;
-    let ratio_q_P2_u_P4_2_of_u_p4 = (-ratio_q_P1_u_P4_of_place_62)
+                    ratio_q_P2_u_P1_2_of_u_p1_19,
+                    ratio_q_P2_u_P1_2_of_u_p1_52 * cos_q_P3,
+                ) + ratio_q_P2_u_P1_2_of_u_p1_53 - sin_q_p3_u_p1_sin_q_p1)
+        - sin_q_P5
+            * (ratio_q_P2_u_P1_of_place_8
+                .mul_add(u_p1_cos_q_p1, cos_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_3)
+                + ratio_q_P2_u_P1_2_of_u_p1_54 * sin_q_P1
+                + ratio_q_P2_u_P1_2_of_u_p1_55 * sin_q_P4);
+    let ratio_q_P2_u_P1_2_of_u_p1_57 = ratio_q_P2_u_P1_of_place_11
         .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_42,
-            ratio_q_P1_u_P4_of_place_13 * ratio_q_P1_u_P4_2_of_u_p4_61,
-        );
-    let ratio_q_P2_u_P4_2_of_u_p4_2 = (-ratio_q_P1_u_P4_of_place_17)
+            ratio_q_P2_u_P1_2_of_u_p1_47,
+            ratio_q_P2_u_P1_of_place_6 * ratio_q_P2_u_P1_2_of_u_p1_45,
+        ) - ratio_q_P2_u_P1_of_place_24 * ratio_q_P2_u_P1_2_of_u_p1_51
+        - ratio_q_P2_u_P1_of_place_25 * ratio_q_P2_u_P1_2_of_u_p1_56;
+    let ratio_q_P2_u_P1_2_of_u_p1_58 = ratio_q_P2_u_P1_2_of_u_p1 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_59 = ratio_q_P2_u_P1_2_of_u_p1_16 * sin_q_P5;
+    let ratio_q_P2_u_P1_2_of_u_p1_60 = cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_61 = ratio_q_P2_u_P1_2_of_u_p1_28
+        .mul_add(sin_q_P4, -ratio_q_P2_u_P1_2_of_u_p1_58) + ratio_q_P2_u_P1_2_of_u_p1_59
+        + ratio_q_P2_u_P1_2_of_u_p1_60;
+    let ratio_q_P2_u_P1_2_of_u_p1_62 = (-ratio_q_P2_u_P1_2_of_u_p1_50)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_4 * u_p1_sin_q_p1)
+        - ratio_q_P2_u_P1_of_place_17 * ratio_q_P2_u_P1_2_of_u_p1_52
+        + x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P2_u_P1_2_of_u_p1_61;
+    let ratio_q_P2_u_P1_2_of_u_p1_63 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_2)
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_19, ratio_q_P2_u_P1_2_of_u_p1_18)
+        - ratio_q_P2_u_P1_2_of_u_p1_25 * cos_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_64 = ratio_q_P2_u_P1_2_of_u_p1_63 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_place = ratio_q_P2_u_P1_of_place_15 * sin_q_p2_w_rod2_frame_3;
+    let ratio_q_P2_u_P1_2_of_u_p1_65 = ratio_q_P2_u_P1_2_of_place - ratio_q_P2_u_P1_2_of_u_p1_64;
+    let ratio_q_P2_u_P1_2_of_place_2 = l * ratio_q_P2_u_P1_of_place_18;
+    let ratio_q_P2_u_P1_2_of_u_p1_66 = (-ratio_q_P2_u_P1_of_place_65)
         .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_57,
-            ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_9,
+            ratio_q_P2_u_P1_2_of_u_p1_56,
+            ratio_q_P2_u_P1_of_place_11 * ratio_q_P2_u_P1_2_of_u_p1_65,
+        ) - ratio_q_P2_u_P1_of_place_6 * ratio_q_P2_u_P1_2_of_u_p1_62
+        + ratio_q_P2_u_P1_2_of_u_p1_51 * ratio_q_P2_u_P1_2_of_place_2;
+    let ratio_q_P2_u_P1_2_of_u_p1_67 = ratio_q_P2_u_P1_of_place_25
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_62,
+            ratio_q_P2_u_P1_of_place_65 * ratio_q_P2_u_P1_2_of_u_p1_45,
+        ) + ratio_q_P2_u_P1_of_place_24 * ratio_q_P2_u_P1_2_of_u_p1_65
+        + ratio_q_P2_u_P1_2_of_u_p1_47 * ratio_q_P2_u_P1_2_of_place_2;
+    let ratio_q_P2_u_P1_2_of_u_p1_68 = (-ratio_q_P2_u_P1_2_of_u_p1_25)
+        .mul_add(sin_q_P3, ratio_q_P2_u_P1_of_q_p4_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1_16)
+        + ratio_q_P2_u_P1_2_of_u_p1_28;
+    let ratio_q_P2_u_P1_2_of_u_p1_69 = (-ratio_q_P2_u_P1_2_of_u_p1_63)
+        .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_15 * u_p1_sin_q_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_70 = ratio_q_P2_u_P1 * u_p1_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_71 = l
+        * ((-ratio_q_P2_u_P1_of_place_14)
+            .mul_add(u_p1_cos_q_p1, ratio_q_P2_u_P1_2_of_u_p1_68 * sin_q_P1)
+            + ratio_q_P2_u_P1_2_of_u_p1_69 * sin_q_P2
+            - ratio_q_P2_u_P1_of_place_19 * ratio_q_P2_u_P1_2_of_u_p1_70);
+    let ratio_q_P2_u_P1_2_of_u_p1_72 = (-sin_q_p3_cos_q_p5)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_35,
+            ratio_q_P2_u_P1_of_q_p3_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_24,
+        ) - ratio_q_P2_u_P1_2_of_u_p1_37
+        + ratio_q_P2_u_P1_of_q_p3_q_p5_3 * ratio_q_P2_u_P1_2_of_u_p1_41;
+    let ratio_q_P2_u_P1_2_of_u_p1_73 = cos_q_p3_cos_q_p1 * u_p1_cos_q_p4;
+    let ratio_q_P2_u_P1_2_of_u_p1_74 = cos_q_p3_cos_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_6;
+    let ratio_q_P2_u_P1_2_of_u_p1_75 = l
+        * (sin_q_P1
+            * ratio_q_P2_u_P1_of_q_p3_q_p5
+                .mul_add(ratio_q_P2_u_P1_2_of_u_p1_32, ratio_q_P2_u_P1_2_of_u_p1_74)
+            - u_p1_sin_q_p1
+                * ratio_q_P2_u_P1_of_q_p4_q_p5
+                    .mul_add(cos_q_p3_ratio_q_p4_u_p1, -ratio_q_P2_u_P1_of_place_22)
+            - ratio_q_P2_u_P1_2_of_u_p1_72 * cos_q_P1
+            - ratio_q_P2_u_P1_of_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1_73);
+    let ratio_q_P2_u_P1_2_of_u_p1_76 = (-ratio_q_P2_u_P1_2_of_u_p1_30)
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_4 * cos_q_p2_w_rod2_frame_3)
+        - ratio_q_P2_u_P1_2_of_u_p1_46 * sin_q_P5 + ratio_q_P2_u_P1_2_of_u_p1_50 * sin_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_77 = l
+        * ((-ratio_q_P2_u_P1_2_of_u_p1_61)
+            .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_17 * u_p1_cos_q_p1)
+            + ratio_q_P2_u_P1_of_place_27 * u_p1_sin_q_p1
+            + ratio_q_P2_u_P1_2_of_u_p1_76 * cos_q_P1);
+    let ratio_q_P2_u_P1_2_of_u_p1_78 = ratio_q_P2_u_P1_of_place_31
+        .mul_add(
+            cos_q_p2_w_rod2_frame_3,
+            ratio_q_P2_u_P1_of_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1_30,
+        ) - ratio_q_P2_u_P1_2_of_u_p1_46 * cos_q_P5 - ratio_q_P2_u_P1_2_of_u_p1_68 * sin_q_P2;
+    let cos_q_p2_u_p1_cos_q_p1 = u_p1_cos_q_p1 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_79 = sin_q_p2_w_rod2_frame_3
+        .mul_add(sin_q_P1, -cos_q_p2_u_p1_cos_q_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_80 = (-ratio_q_P2_u_P1_of_place_27)
+        .mul_add(u_p1_cos_q_p1, ratio_q_P2_u_P1_of_place_17 * u_p1_sin_q_p1)
+        + ratio_q_P2_u_P1_2_of_u_p1_61 * cos_q_P1 + ratio_q_P2_u_P1_2_of_u_p1_76 * sin_q_P1;
+    let x_rod1_frame_in_N_3 = l * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_81 = ratio_q_P2_u_P1_of_place_6 * u_p1_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_82 = x_rod1_frame_in_N_3
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_51, ratio_q_P2_u_P1_2_of_u_p1_81);
+    let ratio_q_P2_u_P1_2_of_u_p1_83 = ratio_q_P2_u_P1_of_place_31
+        .mul_add(sin_q_p2_w_rod2_frame_3, -ratio_q_P2_u_P1_2_of_u_p1_36)
+        + ratio_q_P2_u_P1_2_of_u_p1_68 * cos_q_P2;
+    let ratio_q_P2_u_P1_2_of_u_p1_84 = ratio_q_P2_u_P1_of_place_81
+        * ratio_q_P2_u_P1_2_of_u_p1_56 * sin_q_P1
+        + ratio_q_P2_u_P1_of_place_41 * ratio_q_P2_u_P1_2_of_u_p1_80
+        - ratio_q_P2_u_P1_of_place_36 * ratio_q_P2_u_P1_2_of_u_p1_82
+        + ratio_q_P2_u_P1_of_place_11
+            * (-ratio_q_P2_u_P1_2_of_u_p1_83)
+                .mul_add(sin_q_P1, ratio_q_P2_u_P1_of_place_40 * u_p1_cos_q_p1);
+    let ratio_q_P2_u_P1_2_of_place_3 = l * ratio_q_P2_u_P1_of_place_42;
+    let ratio_q_P2_u_P1_2_of_place_4 = ratio_q_P2_u_P1_of_place_5 * l_sq;
+    let ratio_q_P2_u_P1_2_of_u_p1_85 = ratio_q_P2_u_P1_of_q_p5_2
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_19, ratio_q_P2_u_P1_2_of_u_p1_48);
+    let ratio_q_P2_u_P1_2_of_u_p1_86 = ratio_q_P2_u_P1_of_q_p3
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_15, ratio_q_P2_u_P1_2_of_u_p1_17)
+        + ratio_q_P2_u_P1_2_of_u_p1_85;
+    let ratio_q_P2_u_P1_2_of_u_p1_87 = (-ratio_q_P2_u_P1_of_q_p5_2)
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_16, ratio_q_P2_u_P1_2_of_u_p1_58);
+    let ratio_q_P2_u_P1_2_of_u_p1_88 = ratio_q_P2_u_P1_of_q_p4_q_p5
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_79,
+            x_rod1_frame_in_rod2_frame_1_3 * ratio_q_P2_u_P1_2_of_u_p1_25,
         );
-    let ratio_q_P2_u_P4_2_of_u_p4_3 = sin_q_P4
-        * ratio_q_P1_u_P4_of_q_p5_2
-            .mul_add(
-                cos_q_p2_w_rod2_frame_3,
-                ratio_q_P1_u_P4_of_q_p2 * ratio_q_P1_u_P4_2_of_u_p4,
-            ) - ratio_q_P2_u_P4_of_q_p2_q_p5 * u_p4_cos_q_p4;
-    let ratio_q_P2_u_P4_2_of_u_p4_4 = cos_q_p2_w_rod2_frame_3 - ratio_q_P2_u_P4_2_of_u_p4_3;
-    let ratio_q_P2_u_P4_2 = ratio_q_P1_u_P4_of_place_81
-        * ((-ratio_q_P1_u_P4_of_place_68)
-            .mul_add(
-                ratio_q_P1_u_P4_2_of_u_p4_57,
-                l_sq * ratio_q_P1_u_P4_of_place_45 * ratio_q_P1_u_P4_2_of_u_p4_53,
-            ) - ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_74
-            - ratio_q_P1_u_P4_2_of_u_p4_61 * ratio_q_P1_u_P4_2_of_place_10
-            + ratio_q_P2_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_76
-            - ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_79)
-        - ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_2_of_u_p4_80
-        + ratio_q_P1_u_P4_of_place_69 * ratio_q_P1_u_P4_2_of_u_p4_84
-        - ratio_q_P2_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_86
-        + ratio_q_P2_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_88
-        - ratio_q_P2_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_u_p4_92
-        + ratio_q_P1_u_P4_of_place_89
-            * (l_sq * ratio_q_P2_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_73
-                - ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_2_of_u_p4_65
-                - ratio_q_P1_u_P4_of_place_85 * ratio_q_P1_u_P4_2_of_u_p4_77
-                - ratio_q_P2_u_P4_of_place_3
-                    * (ratio_q_P2_u_P4_2_of_u_p4 + ratio_q_P2_u_P4_2_of_u_p4_2))
-        + ratio_q_P1_u_P4_of_place_97
-            * (ratio_q_P2_u_P4_of_q_p2_q_p4 * ratio_q_P1_u_P4_2_of_u_p4_6
-                - ratio_q_P2_u_P4_of_place_8 * ratio_q_P1_u_P4_2_of_u_p4_7
-                + sin_q_p3_cos_q_p5
-                    * (cos_q_p2_cos_q_p4 * (u_P4 + w_rod2_frame_3)
-                        - ratio_q_P1_u_P4_of_q_p4 * sin_q_p2_w_rod2_frame_3
-                        - ratio_q_P1_u_P4_of_q_p2_2 * u_p4_sin_q_p4)
-                + cos_q_P3
-                    * (cos_q_P2
-                        * (-ratio_q_P1_u_P4_of_q_p4)
+    let ratio_q_P2_u_P1_2_of_u_p1_89 = x_rod1_frame_in_rod2_frame_1_3
+        * (ratio_q_P2_u_P1_of_place_47
+            * u_p1_cos_q_p1.mul_add(cos_q_P5, ratio_q_P2_u_P1_2_of_u_p1_15 * sin_q_P1)
+            - ratio_q_P2_u_P1_of_place_45 * ratio_q_P2_u_P1_2_of_u_p1_19
+            - cos_q_p5_sin_q_p1
+                * (ratio_q_P2_u_P1_2_of_u_p1_40
+                    + ratio_q_P2_u_P1_of_place_46 * ratio_q_P2_u_P1_2_of_u_p1_16
+                    + sin_q_P3
+                        * ratio_q_P2_u_P1_of_q_p3
                             .mul_add(
-                                ratio_q_P1_u_P4_2_of_u_p4,
-                                ratio_q_P2_u_P4_of_q_p5 * u_p4_cos_q_p4,
-                            ) - ratio_q_P2_u_P4_of_q_p4_q_p5 * sin_q_p2_w_rod2_frame_3
-                        + ratio_q_P2_u_P4_of_place_7 * u_p4_sin_q_p4
-                        + cos_q_P4
-                            * (ratio_q_P1_u_P4_2_of_u_p4_54 - ratio_q_P2_u_P4_2_of_u_p4_4)));
+                                ratio_q_P2_u_P1_2_of_u_p1_24, ratio_q_P2_u_P1_2_of_u_p1_42,
+                            ))
+            - cos_q_P3
+                * (cos_q_P4
+                    * ((-ratio_q_P2_u_P1_of_q_p3_q_p5_4)
+                        .mul_add(
+                            u_p1_sin_q_p1,
+                            x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P2_u_P1_2_of_u_p1_87,
+                        ) - ratio_q_P2_u_P1_of_q_p3_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_52
+                        - ratio_q_P2_u_P1_2_of_u_p1_86 * cos_q_P1)
+                    - ratio_q_P2_u_P1_of_place_43 * ratio_q_P2_u_P1_2_of_u_p1_22
+                    + ratio_q_P2_u_P1_2_of_u_p1_88));
+    let ratio_q_P2_u_P1_2_of_u_p1_90 = ratio_q_P2_u_P1_of_place_49 * ratio_q_P2_u_P1_2_of_u_p1_51
+        + l * ratio_q_P2_u_P1_of_place_37 * ratio_q_P2_u_P1_2_of_u_p1_78
+        - ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_of_place_48 * ratio_q_P2_u_P1_2_of_u_p1_79
+        + ratio_q_P2_u_P1_of_place_38
+            * (l
+                * ratio_q_P2_u_P1_of_place_35
+                    .mul_add(
+                        ratio_q_P2_u_P1_2_of_u_p1_56,
+                        ratio_q_P2_u_P1_of_place_36 * ratio_q_P2_u_P1_2_of_u_p1_45,
+                    )
+                + ratio_q_P2_u_P1_of_place_11
+                    * (ratio_q_P2_u_P1_of_q_p5_2
+                        .mul_add(
+                            ratio_q_P2_u_P1_2_of_u_p1_44,
+                            ratio_q_P2_u_P1_of_place_22 * u_p1_cos_q_p1,
+                        ) + ratio_q_P2_u_P1_2_of_u_p1_72 * sin_q_P1
+                        + ratio_q_P2_u_P1_2_of_u_p1_74 * cos_q_P1)
+                + ratio_q_P2_u_P1_of_place_24 * ratio_q_P2_u_P1_2_of_u_p1_80)
+        + ratio_q_P2_u_P1_of_place_25 * ratio_q_P2_u_P1_2_of_u_p1_84
+        - ratio_q_P2_u_P1_2_of_u_p1_47 * ratio_q_P2_u_P1_2_of_place_3
+        + ratio_q_P2_u_P1_2_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_89;
+    let ratio_q_P2_u_P1_2_of_u_p1_91 = S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_4;
+    let ratio_q_P2_u_P1_2_of_u_p1_92 = ratio_q_P2_u_P1_2_of_u_p1_91
+        - ratio_q_P2_u_P1_of_q_p4_2 * ratio_q_P2_u_P1_2_of_u_p1
+        - sin_q_P5 * (ratio_q_P2_u_P1_2_of_u_p1_3 + ratio_q_P2_u_P1_2_of_u_p1_91);
+    let ratio_q_P2_u_P1_2_of_u_p1_93 = ratio_q_P2_u_P1_2_of_u_p1_92 * sin_q_P3;
+    let ratio_q_P2_u_P1_2_of_u_p1_94 = ratio_q_P2_u_P1_of_q_p4_q_p5_3
+        * ratio_q_P2_u_P1_2_of_u_p1_16;
+    let ratio_q_P2_u_P1_2_of_u_p1_95 = ratio_q_P2_u_P1_2_of_u_p1 + ratio_q_P2_u_P1_2_of_u_p1_25;
+    let ratio_q_P2_u_P1_2_of_u_p1_96 = cos_q_p2_cos_q_p4 * ratio_q_P2_u_P1_2_of_u_p1_95;
+    let ratio_q_P2_u_P1_2_of_u_p1_97 = ratio_q_P2_u_P1_of_q_p4
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_18, -ratio_q_P2_u_P1_2_of_u_p1_49);
+    let ratio_q_P2_u_P1_2_of_u_p1_98 = (-ratio_q_P2_u_P1_of_q_p4_q_p5_3)
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_19, ratio_q_P2_u_P1_2_of_u_p1_92 * cos_q_P3);
+    let ratio_q_P2_u_P1_2_of_u_p1_99 = ratio_q_P2_u_P1_2_of_u_p1_28 + ratio_q_P2_u_P1_2_of_u_p1_87;
+    let ratio_q_P2_u_P1_2_of_u_p1_100 = cos_q_P1
+        * (ratio_q_P2_u_P1_2_of_u_p1_18 + ratio_q_P2_u_P1_2_of_u_p1_85);
+    let ratio_q_P2_u_P1_2_of_place_5 = ratio_q_P2_u_P1_of_q_p3_q_p5_7 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_101 = ratio_q_P2_u_P1_2_of_u_p1_70
+        .mul_add(sin_q_P2, u_P1 * x_rod1_frame_in_rod2_frame_1_3);
+    let ratio_q_P2_u_P1_2_of_u_p1_102 = sin_q_P1
+        * (ratio_q_P2_u_P1_of_place_69 * cos_q_p2_w_rod2_frame_3
+            - x_rod1_frame_in_rod2_frame_1_2 * ratio_q_P2_u_P1_2_of_u_p1_50
+            + sin_q_P2
+                * (ratio_q_P2_u_P1_of_place_67 * u_p1_cos_q_p1
+                    - ratio_q_P4_u_P1 * ratio_q_P2_u_P1_of_q_p3_q_p5_7 * sin_q_p4_u_p1_cos_q_p1
+                    + sin_q_P1
+                        * (cos_q_P2
+                            * (ratio_q_P2_u_P1_of_q_p3_q_p5_5 * ratio_q_P2_u_P1_2_of_u_p1_3
+                                - ratio_q_P2_u_P1_of_q_p3 * ratio_q_P2_u_P1_2_of_u_p1
+                                + sin_q_P4
+                                    * (ratio_q_P2_u_P1_2_of_u_p1 + ratio_q_P2_u_P1_2_of_u_p1_28)
+                                + ratio_q_P2_u_P1_2_of_u_p1_59)
+                            - ratio_q_P2_u_P1_of_q_p3_q_p5_6 * ratio_q_P2_u_P1_2_of_u_p1_24
+                            - ratio_q_P2_u_P1_of_place_66 * sin_q_p2_w_rod2_frame_3
+                            + sin_q_p2_cos_q_p4 * ratio_q_P2_u_P1_2_of_u_p1_99)
+                    - ratio_q_P2_u_P1_2_of_u_p1_100 * cos_q_P4
+                    + u_p1_cos_q_p4 * ratio_q_P2_u_P1_2_of_place_5)
+            + ratio_q_P2_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_101)
+        + ratio_q_P2_u_P1_of_place_70 * u_p1_cos_q_p1;
+    let ratio_q_P2_u_P1_2_of_u_p1_103 = l_sq * ratio_q_P2_u_P1_2_of_u_p1_78;
+    let ratio_q_P2_u_P1_2_of_u_p1_104 = ratio_q_P2_u_P1_of_place_71 * ratio_q_P2_u_P1_2_of_u_p1_51
+        - ratio_q_P2_u_P1_of_place_65 * ratio_q_P2_u_P1_2_of_u_p1_84
+        + ratio_q_P2_u_P1_2_of_u_p1_65 * ratio_q_P2_u_P1_2_of_place_3
+        + ratio_q_P2_u_P1_of_place_64
+            * (-u_p1_cos_q_p1
+                * (ratio_q_P2_u_P1_of_place_61 * sin_q_p3_sin_q_p1)
+                    .mul_add(S::int(2), ratio_q_P2_u_P1_of_place_60)
+                + ratio_q_P2_u_P1_of_place_62 * ratio_q_P2_u_P1_2_of_u_p1_53
+                - sin_q_P1
+                    * (ratio_q_P2_u_P1_of_q_p4_q_p5_4
+                        * (-ratio_q_P2_u_P1_2_of_u_p1_33)
+                            .mul_add(
+                                cos_q_P1,
+                                x_rod1_frame_in_rod2_frame_1_3 * u_p1_cos_q_p4 * sin_q_P3,
+                            ) + ratio_q_P2_u_P1_of_place_59 * cos_q_p2_w_rod2_frame_3
+                        + sin_q_p3_cos_q_p1 * ratio_q_P2_u_P1_2_of_u_p1_96
+                        + sin_q_P2
+                            * (sin_q_p3_cos_q_p1
+                                * ratio_q_P2_u_P1_2_of_u_p1_94
+                                    .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1_93)
+                                - ratio_q_P2_u_P1_of_place_58 * ratio_q_P2_u_P1_2_of_u_p1_19
+                                - ratio_q_P2_u_P1_of_place_51 * sin_q_p3_u_p1_sin_q_p1
+                                + cos_q_P3
+                                    * (ratio_q_P2_u_P1_of_place_54 * u_p1_cos_q_p1
+                                        + ratio_q_P2_u_P1_of_place_57 * u_p1_sin_q_p1
+                                        + sin_q_P1
+                                            * (ratio_q_P2_u_P1_of_place_52 * cos_q_p2_w_rod2_frame_3
+                                                - ratio_q_P2_u_P1_of_q_p4_q_p5_4
+                                                    * ratio_q_P2_u_P1_2_of_u_p1_30
+                                                + sin_q_P2
+                                                    * (ratio_q_P2_u_P1_of_q_p4
+                                                        .mul_add(
+                                                            ratio_q_P2_u_P1_2_of_u_p1_28,
+                                                            ratio_q_P2_u_P1_2_of_u_p1_60,
+                                                        ) + ratio_q_P2_u_P1_2_of_u_p1_93
+                                                        + ratio_q_P2_u_P1_2_of_u_p1_94)
+                                                + ratio_q_P2_u_P1_2_of_u_p1_96)
+                                        - cos_q_P1
+                                            * ratio_q_P2_u_P1_2_of_u_p1_97
+                                                .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1_98))))
+                + sin_q_p3_cos_q_p1 * cos_q_P1
+                    * (ratio_q_P2_u_P1_2_of_u_p1_97 + ratio_q_P2_u_P1_2_of_u_p1_98))
+        + ratio_q_P2_u_P1_2_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_102
+        - ratio_q_P2_u_P1_of_place_63 * ratio_q_P2_u_P1_2_of_u_p1_103;
+    let ratio_q_P2_u_P1_2_of_u_p1_105 = ratio_q_P2_u_P1_of_place_49
+        * (-ratio_q_P2_u_P1_2_of_place).mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1_64)
+        - ratio_q_P2_u_P1_of_place_71 * ratio_q_P2_u_P1_2_of_u_p1_47
+        + ratio_q_P2_u_P1_of_place_19 * ratio_q_P2_u_P1_of_place_48 * cos_q_p2_u_p1_cos_q_p1
+        + ratio_q_P2_u_P1_of_place_64
+            * (ratio_q_P2_u_P1_of_place_78 * u_p1_cos_q_p1
+                - ratio_q_P2_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_100
+                + ratio_q_P2_u_P1_of_place_68 * ratio_q_P2_u_P1_2_of_u_p1_43
+                + S::int(2) * ratio_q_P2_u_P1_2_of_u_p1_73 * ratio_q_P2_u_P1_2_of_place_5
+                - sin_q_P1
+                    * (ratio_q_P2_u_P1_of_place_68 * ratio_q_P2_u_P1_2_of_u_p1_39
+                        - ratio_q_P2_u_P1_of_place_77 * cos_q_p2_w_rod2_frame_3
+                        + sin_q_P2
+                            * (cos_q_p3_cos_q_p5
+                                * (x_rod1_frame_in_rod2_frame_1_3
+                                    .mul_add(
+                                        ratio_q_P2_u_P1_2_of_u_p1_3, -ratio_q_P2_u_P1_2_of_u_p1_44,
+                                    ) + ratio_q_P2_u_P1_2_of_u_p1_79 * sin_q_P4)
+                                - ratio_q_P2_u_P1_of_place_74 * ratio_q_P2_u_P1_2_of_u_p1_16
+                                - ratio_q_P2_u_P1_of_place_76 * ratio_q_P2_u_P1_2_of_u_p1_28
+                                + sin_q_P3
+                                    * (ratio_q_P2_u_P1_2_of_u_p1_88
+                                        - ratio_q_P2_u_P1_of_place_73 * ratio_q_P2_u_P1_2_of_u_p1_22
+                                        + cos_q_P4
+                                            * (ratio_q_P2_u_P1_of_q_p3_q_p5_8 * u_p1_sin_q_p1
+                                                - ratio_q_P2_u_P1_of_q_p3_q_p5_6
+                                                    * ratio_q_P2_u_P1_2_of_u_p1_52
+                                                - cos_q_P1
+                                                    * ratio_q_P2_u_P1_2_of_u_p1_85
+                                                        .mul_add(S::int(2), ratio_q_P2_u_P1_2_of_u_p1_18)
+                                                + x_rod1_frame_in_rod2_frame_2_3
+                                                    * ratio_q_P2_u_P1_2_of_u_p1_99)))
+                        - cos_q_p2_sin_q_p4 * ratio_q_P2_u_P1_2_of_u_p1_100
+                        + ratio_q_P2_u_P1_of_q_p3_q_p5_7 * ratio_q_P2_u_P1_2_of_u_p1_101
+                            * sin_q_P4))
+        + l_sq
+            * ratio_q_P2_u_P1_of_place_7
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_u_p1_102,
+                    ratio_q_P2_u_P1_of_place_19 * ratio_q_P2_u_P1_2_of_u_p1_89,
+                ) + ratio_q_P2_u_P1_of_place_79 * ratio_q_P2_u_P1_2_of_u_p1_103;
+    let ratio_q_P2_u_P1_2_of_u_p1_106 = l
+        * ratio_q_P2_u_P1_2_of_u_p1_83
+            .mul_add(cos_q_P1, ratio_q_P2_u_P1_of_place_40 * u_p1_sin_q_p1);
+    let ratio_q_P2_u_P1_2_of_u_p1_107 = ratio_q_P2_u_P1_of_place_100
+        * ((-ratio_q_P2_u_P1_of_place_50)
+            .mul_add(
+                ratio_q_P2_u_P1_2_of_u_p1_71,
+                l_sq * ratio_q_P2_u_P1_of_place_82 * ratio_q_P2_u_P1_2_of_u_p1_38,
+            ) + ratio_q_P2_u_P1_of_place_72 * ratio_q_P2_u_P1_2_of_u_p1_75
+            - ratio_q_P2_u_P1_of_place_80 * ratio_q_P2_u_P1_2_of_u_p1_77
+            + ratio_q_P2_u_P1_of_place_16 * ratio_q_P2_u_P1_2_of_u_p1_90
+            + ratio_q_P2_u_P1_of_place_23 * ratio_q_P2_u_P1_2_of_u_p1_104
+            - ratio_q_P2_u_P1_of_place_29 * ratio_q_P2_u_P1_2_of_u_p1_105
+            + ratio_q_P2_u_P1_of_place_99 * ratio_q_P2_u_P1_2_of_u_p1_106);
+    let ratio_q_P2_u_P1_2_of_u_p1_108 = ratio_q_P2_u_P1_of_place_103 * ratio_q_P2_u_P1_2_of_u_p1
+        + ratio_q_P2_u_P1_of_place_104 * ratio_q_P2_u_P1_2_of_u_p1_15
+        + cos_q_P5
+            * ((-cos_q_p3_sin_q_p1)
+                .mul_add(ratio_q_P2_u_P1_2_of_u_p1_3, sin_q_p4_u_p1_cos_q_p1 * cos_q_P3)
+                - ratio_q_P2_u_P1_2_of_u_p1_19 * sin_q_P1 * sin_q_P4
+                - ratio_q_P2_u_P1_of_place_8 * u_p1_sin_q_p1
+                + ratio_q_P2_u_P1_2_of_u_p1_54 * cos_q_P1)
+        + sin_q_P5
+            * ((-ratio_q_P2_u_P1_2_of_u_p1_16)
+                .mul_add(
+                    sin_q_P1,
+                    x_rod2_frame_in_rod3_frame_2_4 * ratio_q_P2_u_P1_2_of_u_p1_70,
+                ) - u_p1_cos_q_p1 * sin_q_P3 - ratio_q_P2_u_P1_2_of_u_p1_55 * sin_q_P2);
+    let ratio_q_P2_u_P1_2_of_u_p1_109 = ratio_q_P2_u_P1_of_place_106
+        * ratio_q_P2_u_P1_of_place_105
+            .mul_add(ratio_q_P2_u_P1_2_of_u_p1_107, -ratio_q_P2_u_P1_2_of_u_p1_108);
+    let ratio_q_P2_u_P1_2_of_u_p1_110 = ratio_q_P2_u_P1_2_of_u_p1_109
+        .mul_add(cos_q_P5, ratio_q_P2_u_P1_of_place_107 * ratio_q_P2_u_P1_2_of_u_p1_15);
+    let ratio_q_P2_u_P1_2_of_u_p1_111 = ratio_q_P2_u_P1_of_place_33
+        .mul_add(u_p1_sin_q_p1, ratio_q_P2_u_P1_of_place_15 * u_p1_cos_q_p1)
+        + ratio_q_P2_u_P1_2_of_u_p1_63 * sin_q_P1 - ratio_q_P2_u_P1_2_of_u_p1_78 * cos_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_112 = ratio_q_P2_u_P1_of_place_101
+        * ratio_q_P2_u_P1_of_place_34
+            .mul_add(ratio_q_P2_u_P1_2_of_u_p1_107, -ratio_q_P2_u_P1_2_of_u_p1_111);
+    let ratio_q_P2_u_P1_2_of_u_p1_113 = ratio_q_P2_u_P1_of_place_33
+        .mul_add(u_p1_cos_q_p1, -ratio_q_P2_u_P1_2_of_u_p1_69)
+        + ratio_q_P2_u_P1_2_of_u_p1_78 * sin_q_P1;
+    let ratio_q_P2_u_P1_2_of_u_p1_114 = ratio_q_P2_u_P1_of_place_109
+        .mul_add(ratio_q_P2_u_P1_2_of_u_p1_107, ratio_q_P2_u_P1_2_of_u_p1_113);
+    let ratio_q_P2_u_P1_2 = ratio_q_P2_u_P1_of_place_102
+        * ((-ratio_q_P2_u_P1_of_place_16)
+            .mul_add(
+                ratio_q_P2_u_P1_2_of_u_p1_57,
+                ratio_q_P2_u_P1_of_place_23 * ratio_q_P2_u_P1_2_of_u_p1_66,
+            ) + ratio_q_P2_u_P1_of_place_29 * ratio_q_P2_u_P1_2_of_u_p1_67
+            - ratio_q_P2_u_P1_of_place_12 * ratio_q_P2_u_P1_2_of_u_p1_71
+            + ratio_q_P2_u_P1_of_place_20 * ratio_q_P2_u_P1_2_of_u_p1_75
+            - ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_u_p1_77)
+        - ratio_q_P2_u_P1_of_place_106 * ratio_q_P2_u_P1_of_place_109 * ratio_q_P2_u_P1_2_of_u_p1_38
+        - ratio_q_P2_u_P1_of_place_108 * ratio_q_P2_u_P1_2_of_u_p1_95
+        + ratio_q_P2_u_P1_of_q_p4_q_p5_16 * ratio_q_P2_u_P1_2_of_u_p1_110
+        + ratio_q_P2_u_P1_of_place_30 * ratio_q_P2_u_P1_2_of_u_p1_112
+        + ratio_q_P2_u_P1_of_place_110 * ratio_q_P2_u_P1_2_of_u_p1_114;
     let w_rod2_frame_12 = w_rod1_frame_in_rod2_frame_1 * w_rod1_frame_in_rod2_frame_2;
     let a_rod1_frame_in_rod2_frame_1 = (-g)
         .mul_add(sin_q_P2, a_rod1_centre_1 * cos_q_P2);
-    let alpha_rod2_frame_3 = u_P4 * ratio_q_P2_u_P4_2;
+    let alpha_rod2_frame_3 = u_P1 * ratio_q_P2_u_P1_2;
     let turn_rod2_frame_12 = w_rod2_frame_12 - alpha_rod2_frame_3;
     let l_turn_rod2_frame_12 = l * turn_rod2_frame_12;
     let a_rod2_centre_1 = a_rod1_frame_in_rod2_frame_1
@@ -4706,111 +4789,72 @@ pub fn linear_system<S: Scalar>(
         .mul_add(S::int(2), l_turn_rod2_frame_22);
     let x_rod2_frame_2 = m * a_rod2_centre_2;
     let w_rod2_frame_23 = w_rod1_frame_in_rod2_frame_2 * w_rod2_frame_3;
-    let alpha_rod1_frame_in_rod2_frame_1 = alpha_rod1_frame_2 * sin_q_P2;
-    let alpha_rod2_frame_1 = w_rod2_frame_23 + alpha_rod1_frame_in_rod2_frame_1;
+    let alpha_rod2_frame_1 = w_rod2_frame_23;
     let turn_rod2_frame_32 = w_rod2_frame_23 + alpha_rod2_frame_1;
-    let l_turn_rod2_frame_32 = l * turn_rod2_frame_32;
-    let a_rod2_centre_3 = a_rod1_centre_3.mul_add(S::int(2), -l_turn_rod2_frame_32);
+    let a_rod2_centre_3 = l * turn_rod2_frame_32;
     let x_rod2_frame_3 = m * a_rod2_centre_3;
-    let H_rod2_3 = w_rod2_frame_3 * m_l_sq;
+    let x_rod1_frame_2_2 = m * l_sq;
+    let H_rod2_3 = w_rod2_frame_3 * x_rod1_frame_2_2;
     let x_rod2_frame_1_2 = alpha_rod2_frame_1
-        .mul_add(m_l_sq, w_rod1_frame_in_rod2_frame_2 * H_rod2_3);
-    let H_rod2_1 = w_rod1_frame_in_rod2_frame_1 * m_l_sq;
+        .mul_add(x_rod1_frame_2_2, w_rod1_frame_in_rod2_frame_2 * H_rod2_3);
+    let H_rod2_1 = w_rod1_frame_in_rod2_frame_1 * x_rod1_frame_2_2;
     let x_rod2_frame_2_2 = (-w_rod1_frame_in_rod2_frame_1)
         .mul_add(H_rod2_3, w_rod2_frame_3 * H_rod2_1);
     let x_rod2_frame_3_2 = (-alpha_rod2_frame_3)
-        .mul_add(m_l_sq, w_rod1_frame_in_rod2_frame_2 * H_rod2_1);
-    let w_rod3_frame_1 = w_rod1_frame_in_rod2_frame_1 + u_p4_ratio_q_p3_u_p4;
-    let w_rod2_frame_in_rod3_frame_3 = w_rod2_frame_3
+        .mul_add(x_rod1_frame_2_2, w_rod1_frame_in_rod2_frame_2 * H_rod2_1);
+    let w_rod3_frame_1 = w_rod1_frame_in_rod2_frame_1 + u_p1_ratio_q_p3_u_p1;
+    let w_rod2_frame_in_rod3_frame_3 = (-w_rod2_frame_3)
         .mul_add(cos_q_P3, w_rod1_frame_in_rod2_frame_2 * sin_q_P3);
     let w_rod3_frame_13 = w_rod3_frame_1 * w_rod2_frame_in_rod3_frame_3;
-    let alpha_rod1_frame_in_rod2_frame_2 = alpha_rod1_frame_2 * cos_q_P2;
-    let alpha_rod2_frame_2 = w_rod1_frame_in_rod2_frame_1
-        .mul_add(w_rod2_frame_3, -alpha_rod1_frame_in_rod2_frame_2);
-    let alpha_rod2_frame_in_rod3_frame_2 = alpha_rod2_frame_2
-        .mul_add(cos_q_P3, alpha_rod2_frame_3 * sin_q_P3);
+    let alpha_rod2_frame_2 = w_rod1_frame_in_rod2_frame_1 * w_rod2_frame_3;
+    let alpha_rod2_frame_in_rod3_frame_2 = (-alpha_rod2_frame_3)
+        .mul_add(sin_q_P3, alpha_rod2_frame_2 * cos_q_P3);
     let alpha_rod3_frame_2 = w_rod2_frame_in_rod3_frame_3
-        .mul_add(u_p4_ratio_q_p3_u_p4, -alpha_rod2_frame_in_rod3_frame_2);
+        .mul_add(u_p1_ratio_q_p3_u_p1, alpha_rod2_frame_in_rod3_frame_2);
     let turn_rod3_frame_13 = w_rod3_frame_13 + alpha_rod3_frame_2;
     let a_rod3_centre_1 = a_rod1_frame_in_rod2_frame_1 - l_turn_rod2_frame_12;
     let l_turn_rod3_frame_13 = l * turn_rod3_frame_13;
     let a_rod3_centre_1_2 = a_rod3_centre_1.mul_add(S::int(2), l_turn_rod3_frame_13);
     let x_rod3_frame_1 = m * a_rod3_centre_1_2;
-    let w_rod2_frame_in_rod3_frame_2 = (-w_rod2_frame_3)
+    let w_rod2_frame_in_rod3_frame_2 = w_rod2_frame_3
         .mul_add(sin_q_P3, w_rod1_frame_in_rod2_frame_2 * cos_q_P3);
-    let ratio_q_P3_u_P4_2_of_u_p4 = ratio_q_P1_u_P4_of_place_94
-        .mul_add(ratio_q_P1_u_P4_2_of_u_p4_5, ratio_q_P1_u_P4_2_of_u_p4_91);
-    let ratio_q_P3_u_P4_2 = ratio_q_P1_u_P4_of_place_89
-        * (ratio_q_P3_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_57
-            - ratio_q_P3_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_42
-            - ratio_q_P2_u_P4_of_place_3
-                * (-ratio_q_P1_u_P4_of_place_13)
-                    .mul_add(
-                        ratio_q_P1_u_P4_2_of_u_p4_59,
-                        ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_55,
-                    ) - ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_2_of_u_p4_63
-            - ratio_q_P1_u_P4_2_of_u_p4_73
-                * ratio_q_P1_u_P4_of_place_13
-                    .mul_add(
-                        ratio_q_P1_u_P4_of_place_78,
-                        ratio_q_P1_u_P4_of_place_34 * ratio_q_P1_u_P4_of_place_73,
-                    ) - ratio_q_P1_u_P4_of_place_82 * ratio_q_P1_u_P4_2_of_u_p4_77)
-        - ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_2_of_u_p4_75
-        + ratio_q_P1_u_P4_of_place_81
-            * ((-ratio_q_P1_u_P4_of_place_46)
+    let ratio_q_P3_u_P1_2_of_u_p1 = (-ratio_q_P2_u_P1_of_place_38)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_56,
+            S::int(2) * ratio_q_P2_u_P1_of_place_41 * ratio_q_P2_u_P1_2_of_u_p1_51,
+        ) - ratio_q_P2_u_P1_of_place_11 * ratio_q_P2_u_P1_2_of_u_p1_78
+        + ratio_q_P2_u_P1_of_place_5 * ratio_q_P2_u_P1_2_of_u_p1_81;
+    let ratio_q_P3_u_P1_2_of_u_p1_2 = (-ratio_q_P2_u_P1_of_place_38)
+        .mul_add(
+            ratio_q_P2_u_P1_2_of_u_p1_45,
+            ratio_q_P2_u_P1_of_place_24 * ratio_q_P2_u_P1_2_of_u_p1_78,
+        ) - ratio_q_P2_u_P1_of_place_41 * ratio_q_P2_u_P1_2_of_u_p1_47
+        + ratio_q_P2_u_P1_of_place_7 * ratio_q_P2_u_P1_2_of_u_p1_82;
+    let ratio_q_P3_u_P1_2_of_u_p1_3 = ratio_q_P2_u_P1_2_of_u_p1_109
+        .mul_add(cos_q_P4, ratio_q_P2_u_P1_of_place_107 * ratio_q_P2_u_P1_2_of_u_p1_22);
+    let ratio_q_P3_u_P1_2_of_u_p1_4 = ratio_q_P2_u_P1_of_place_101 * ratio_q_P2_u_P1_2_of_u_p1_114;
+    let ratio_q_P3_u_P1_2 = ratio_q_P3_u_P1_of_place_5
+        * ((-ratio_q_P2_u_P1_of_q_p3_q_p5_4)
+            .mul_add(ratio_q_P2_u_P1_2_of_u_p1_15, ratio_q_P2_u_P1_2_of_u_p1)
+            + ratio_q_P2_u_P1_2_of_u_p1_86 * cos_q_P5 - ratio_q_P2_u_P1_2_of_u_p1_87)
+        + ratio_q_P3_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_90
+        + ratio_q_P3_u_P1_of_place_3 * ratio_q_P2_u_P1_2_of_u_p1_112
+        + ratio_q_P2_u_P1_of_place_102
+            * ((-ratio_q_P2_u_P1_of_place_82)
                 .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_44,
-                    ratio_q_P1_u_P4_of_place_73 * ratio_q_P1_u_P4_2_of_u_p4_71,
-                ) - ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_2_of_u_p4_57
-                + ratio_q_P1_u_P4_of_place_71 * ratio_q_P1_u_P4_2_of_u_p4_74
-                + ratio_q_P1_u_P4_2_of_u_p4_59 * ratio_q_P1_u_P4_2_of_place_10
-                - ratio_q_P1_u_P4_of_place_15 * ratio_q_P1_u_P4_2_of_u_p4_77)
-        + ratio_q_P1_u_P4_of_place_60 * ratio_q_P1_u_P4_2_of_u_p4_84
-        + ratio_q_P3_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_86
-        + ratio_q_P3_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_88
-        + ratio_q_P1_u_P4_of_place_96
-            * (ratio_q_P3_u_P4_of_place_8 * ratio_q_P1_u_P4_2_of_u_p4_5
-                - ratio_q_P3_u_P4_of_place_9 * ratio_q_P1_u_P4_2_of_u_p4_21
-                - cos_q_P5
-                    * (ratio_q_P3_u_P4_of_q_p3_q_p5_4 * cos_q_p2_w_rod2_frame_3
-                        - ratio_q_P3_u_P4_of_place_7 * u_p4_cos_q_p4
-                        - S::int(2) * sin_q_p3_sin_q_p5 * ratio_q_P1_u_P4_2_of_u_p4_4
-                        - ratio_q_P1_u_P4_2_of_u_p4_15 * sin_q_P3 + ratio_q_P1_u_P4_2_of_u_p4_54
-                        + sin_q_P4
-                            * (ratio_q_P1_u_P4_2_of_u_p4_2
-                                + ratio_q_P3_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_u_p4_4
-                                - ratio_q_P1_u_P4_2_of_u_p4_10 * sin_q_P2
-                                - ratio_q_P3_u_P4_of_q_p3_q_p5 * cos_q_p2_w_rod2_frame_3
-                                + ratio_q_P1_u_P4_2_of_u_p4_54
-                                + sin_q_P3
-                                    * (-sin_q_P2
-                                        * (ratio_q_P1_u_P4_2_of_u_p4_4
-                                            - ratio_q_P3_u_P4_of_q_p3_q_p5_2 * u_p4_cos_q_p4
-                                            - ratio_q_P1_u_P4_2_of_u_p4_11
-                                            + sin_q_P4
-                                                * (ratio_q_P1_u_P4_2_of_u_p4
-                                                    - ratio_q_P1_u_P4_2_of_u_p4_16))
-                                        + ratio_q_P3_u_P4_of_place_5 * cos_q_p2_w_rod2_frame_3
-                                        - ratio_q_P1_u_P4_2_of_u_p4_40
-                                        - ratio_q_P1_u_P4_2_of_u_p4_54))
-                        + sin_q_P2
-                            * (ratio_q_P3_u_P4_of_q_p3_q_p5_3
-                                .mul_add(
-                                    ratio_q_P1_u_P4_2_of_u_p4_4, -ratio_q_P1_u_P4_2_of_u_p4_89,
-                                ) + ratio_q_P1_u_P4_2_of_u_p4_26 * sin_q_P3))
-                - cos_q_p3_sin_q_p5
-                    * ((-ratio_q_P2_u_P4_of_place_6)
-                        .mul_add(
-                            ratio_q_P1_u_P4_2_of_u_p4_4,
-                            ratio_q_P2_u_P4_2_of_u_p4_4 * sin_q_P3,
-                        ) - cos_q_p2_w_rod2_frame_3 - ratio_q_P1_u_P4_2_of_u_p4_54))
-        + ratio_q_P1_u_P4_of_place_92 * ratio_q_P3_u_P4_of_place_10 * ratio_q_P3_u_P4_2_of_u_p4;
+                    ratio_q_P2_u_P1_2_of_u_p1_57,
+                    ratio_q_P3_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_77,
+                ) - ratio_q_P3_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_75
+                - ratio_q_P2_u_P1_of_place_12 * ratio_q_P2_u_P1_2_of_u_p1_106
+                - ratio_q_P2_u_P1_of_place_23 * ratio_q_P3_u_P1_2_of_u_p1
+                + ratio_q_P2_u_P1_of_place_29 * ratio_q_P3_u_P1_2_of_u_p1_2)
+        - ratio_q_P3_u_P1_of_q_p3_q_p5 * ratio_q_P3_u_P1_2_of_u_p1_3
+        + ratio_q_P2_u_P1_of_place_50 * ratio_q_P3_u_P1_2_of_u_p1_4;
     let w_rod3_frame_23 = w_rod2_frame_in_rod3_frame_3 * w_rod2_frame_in_rod3_frame_2;
     let a_rod3_centre_2 = l_turn_rod2_frame_22 - a_rod1_frame_in_rod2_frame_2;
-    let alpha_rod3_frame_1 = u_P4.mul_add(ratio_q_P3_u_P4_2, alpha_rod2_frame_1);
-    let turn_rod3_frame_23 = w_rod3_frame_23 - alpha_rod3_frame_1;
-    let a_rod3_centre_3 = a_rod1_centre_3 - l_turn_rod2_frame_32;
-    let a_rod2_frame_in_rod3_frame_2 = (-a_rod3_centre_3)
+    let alpha_rod3_frame_1 = u_P1.mul_add(ratio_q_P3_u_P1_2, alpha_rod2_frame_1);
+    let turn_rod3_frame_23 = w_rod3_frame_23 + alpha_rod3_frame_1;
+    let a_rod2_frame_in_rod3_frame_2 = (-a_rod2_centre_3)
         .mul_add(sin_q_P3, a_rod3_centre_2 * cos_q_P3);
     let l_turn_rod3_frame_23 = l * turn_rod3_frame_23;
     let a_rod3_centre_2_2 = a_rod2_frame_in_rod3_frame_2
@@ -4819,24 +4863,23 @@ pub fn linear_system<S: Scalar>(
     let w_rod3_frame_11 = w_rod3_frame_1 * w_rod3_frame_1;
     let w_rod3_frame_22 = w_rod2_frame_in_rod3_frame_2 * w_rod2_frame_in_rod3_frame_2;
     let turn_rod3_frame_33 = w_rod3_frame_11 + w_rod3_frame_22;
-    let a_rod2_frame_in_rod3_frame_3 = a_rod3_centre_3
-        .mul_add(cos_q_P3, a_rod3_centre_2 * sin_q_P3);
+    let a_rod2_frame_in_rod3_frame_3 = a_rod3_centre_2
+        .mul_add(sin_q_P3, a_rod2_centre_3 * cos_q_P3);
     let l_turn_rod3_frame_33 = l * turn_rod3_frame_33;
-    let a_rod3_centre_3_2 = (-a_rod2_frame_in_rod3_frame_3)
+    let a_rod3_centre_3 = (-a_rod2_frame_in_rod3_frame_3)
         .mul_add(S::int(2), l_turn_rod3_frame_33);
-    let x_rod3_frame_3 = m * a_rod3_centre_3_2;
-    let H_rod3_2 = w_rod2_frame_in_rod3_frame_2 * m_l_sq;
-    let x_rod3_frame_1_2 = (-alpha_rod3_frame_1)
-        .mul_add(m_l_sq, w_rod2_frame_in_rod3_frame_3 * H_rod3_2);
-    let H_rod3_1 = w_rod3_frame_1 * m_l_sq;
-    let x_rod3_frame_2_2_of_place = alpha_rod3_frame_2 * m_l_sq;
-    let x_rod3_frame_2_2 = w_rod2_frame_in_rod3_frame_3
-        .mul_add(H_rod3_1, x_rod3_frame_2_2_of_place);
+    let x_rod3_frame_3 = m * a_rod3_centre_3;
+    let H_rod3_2 = w_rod2_frame_in_rod3_frame_2 * x_rod1_frame_2_2;
+    let x_rod3_frame_1_2 = alpha_rod3_frame_1
+        .mul_add(x_rod1_frame_2_2, w_rod2_frame_in_rod3_frame_3 * H_rod3_2);
+    let H_rod3_1 = w_rod3_frame_1 * x_rod1_frame_2_2;
+    let x_rod3_frame_2_2 = alpha_rod3_frame_2
+        .mul_add(x_rod1_frame_2_2, w_rod2_frame_in_rod3_frame_3 * H_rod3_1);
     let x_rod3_frame_3_2 = (-w_rod2_frame_in_rod3_frame_2)
         .mul_add(H_rod3_1, w_rod3_frame_1 * H_rod3_2);
     let w_rod3_frame_in_rod4_frame_3 = (-w_rod2_frame_in_rod3_frame_3)
         .mul_add(cos_q_P4, w_rod3_frame_1 * sin_q_P4);
-    let w_rod4_frame_2 = u_P4 - w_rod2_frame_in_rod3_frame_2;
+    let w_rod4_frame_2 = u_p1_ratio_q_p4_u_p1 - w_rod2_frame_in_rod3_frame_2;
     let w_rod4_frame_22 = w_rod4_frame_2 * w_rod4_frame_2;
     let w_rod4_frame_33 = w_rod3_frame_in_rod4_frame_3 * w_rod3_frame_in_rod4_frame_3;
     let turn_rod4_frame_11 = w_rod4_frame_22 + w_rod4_frame_33;
@@ -4851,99 +4894,97 @@ pub fn linear_system<S: Scalar>(
     let w_rod3_frame_in_rod4_frame_1 = w_rod2_frame_in_rod3_frame_3
         .mul_add(sin_q_P4, w_rod3_frame_1 * cos_q_P4);
     let w_rod4_frame_12 = w_rod4_frame_2 * w_rod3_frame_in_rod4_frame_1;
-    let alpha_rod2_frame_in_rod3_frame_3 = (-alpha_rod2_frame_3)
-        .mul_add(cos_q_P3, alpha_rod2_frame_2 * sin_q_P3);
+    let alpha_rod2_frame_in_rod3_frame_3 = alpha_rod2_frame_2
+        .mul_add(sin_q_P3, alpha_rod2_frame_3 * cos_q_P3);
     let alpha_rod3_frame_3 = w_rod2_frame_in_rod3_frame_2
-        .mul_add(u_p4_ratio_q_p3_u_p4, alpha_rod2_frame_in_rod3_frame_3);
-    let alpha_rod3_frame_in_rod4_frame_3 = alpha_rod3_frame_3
-        .mul_add(cos_q_P4, alpha_rod3_frame_1 * sin_q_P4);
-    let alpha_rod4_frame_3 = u_P4
-        .mul_add(w_rod3_frame_in_rod4_frame_1, alpha_rod3_frame_in_rod4_frame_3);
+        .mul_add(u_p1_ratio_q_p3_u_p1, -alpha_rod2_frame_in_rod3_frame_3);
+    let alpha_rod3_frame_in_rod4_frame_3 = (-alpha_rod3_frame_1)
+        .mul_add(sin_q_P4, alpha_rod3_frame_3 * cos_q_P4);
+    let alpha_rod4_frame_3 = w_rod3_frame_in_rod4_frame_1
+        .mul_add(u_p1_ratio_q_p4_u_p1, alpha_rod3_frame_in_rod4_frame_3);
     let turn_rod4_frame_21 = w_rod4_frame_12 + alpha_rod4_frame_3;
     let a_rod4_centre_2 = a_rod2_frame_in_rod3_frame_2 + l_turn_rod3_frame_23;
     let l_turn_rod4_frame_21 = l * turn_rod4_frame_21;
     let a_rod4_centre_2_2 = (-a_rod4_centre_2).mul_add(S::int(2), l_turn_rod4_frame_21);
     let x_rod4_frame_2 = m * a_rod4_centre_2_2;
+    let ratio_q_P4_u_P1_2_of_u_p1 = l * ratio_q_P4_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_51
+        + ratio_q_P2_u_P1_of_place_38 * ratio_q_P2_u_P1_2_of_u_p1_62
+        - ratio_q_P2_u_P1_2_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_78
+        + ratio_q_P2_u_P1_of_place_6
+            * (-ratio_q_P2_u_P1_of_place_15)
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_u_p1_79,
+                    x_rod1_frame_in_rod2_frame_1_3 * ratio_q_P2_u_P1_2_of_u_p1_63,
+                );
+    let ratio_q_P4_u_P1_2_of_u_p1_2 = ratio_q_P2_u_P1_2_of_u_p1_28 - ratio_q_P2_u_P1_2_of_u_p1_16;
+    let ratio_q_P4_u_P1_2 = ratio_q_P4_u_P1_of_place_3 * ratio_q_P2_u_P1_2_of_u_p1_112
+        - ratio_q_P3_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_104
+        - ratio_q_P4_u_P1_of_place_5 * ratio_q_P2_u_P1_2_of_u_p1_110
+        + ratio_q_P2_u_P1_of_place_72 * ratio_q_P3_u_P1_2_of_u_p1_4
+        + ratio_q_P2_u_P1_of_place_102
+            * ((-ratio_q_P2_u_P1_of_place_82)
+                .mul_add(
+                    ratio_q_P2_u_P1_2_of_u_p1_66,
+                    ratio_q_P2_u_P1_of_place_29 * ratio_q_P4_u_P1_2_of_u_p1,
+                ) - ratio_q_P3_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_71
+                - ratio_q_P4_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_77
+                - ratio_q_P2_u_P1_of_place_20 * ratio_q_P2_u_P1_2_of_u_p1_106
+                - ratio_q_P2_u_P1_of_place_16 * ratio_q_P3_u_P1_2_of_u_p1)
+        + ratio_q_P2_u_P1_of_place_108
+            * (-ratio_q_P2_u_P1_2_of_u_p1 + ratio_q_P4_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_3
+                - sin_q_P4
+                    * ((-ratio_q_P4_u_P1_of_q_p4_q_p5)
+                        .mul_add(
+                            ratio_q_P2_u_P1_2_of_u_p1_16,
+                            ratio_q_P2_u_P1_2_of_u_p1_95 * sin_q_P3,
+                        ) - ratio_q_P2_u_P1_2_of_u_p1_25 - ratio_q_P2_u_P1_2_of_u_p1_28)
+                + ratio_q_P4_u_P1_2_of_u_p1_2);
     let w_rod4_frame_13 = w_rod3_frame_in_rod4_frame_3 * w_rod3_frame_in_rod4_frame_1;
-    let turn_rod4_frame_31 = alpha_rod3_frame_2 + w_rod4_frame_13;
+    let alpha_rod4_frame_2 = u_P1.mul_add(ratio_q_P4_u_P1_2, alpha_rod3_frame_2);
+    let turn_rod4_frame_31 = w_rod4_frame_13 + alpha_rod4_frame_2;
     let a_rod3_frame_in_rod4_frame_3 = a_rod4_centre_3
         .mul_add(cos_q_P4, a_rod4_centre_1 * sin_q_P4);
     let l_turn_rod4_frame_31 = l * turn_rod4_frame_31;
     let a_rod4_centre_3_2 = a_rod3_frame_in_rod4_frame_3
         .mul_add(S::int(2), l_turn_rod4_frame_31);
     let x_rod4_frame_3 = m * a_rod4_centre_3_2;
-    let H_rod4_2 = w_rod4_frame_2 * m_l_sq;
-    let H_rod4_3 = w_rod3_frame_in_rod4_frame_3 * m_l_sq;
+    let H_rod4_2 = w_rod4_frame_2 * x_rod1_frame_2_2;
+    let H_rod4_3 = w_rod3_frame_in_rod4_frame_3 * x_rod1_frame_2_2;
     let x_rod4_frame_1_2 = (-w_rod3_frame_in_rod4_frame_3)
         .mul_add(H_rod4_2, w_rod4_frame_2 * H_rod4_3);
-    let x_rod4_frame_2_2 = w_rod3_frame_in_rod4_frame_1
-        .mul_add(H_rod4_3, x_rod3_frame_2_2_of_place);
+    let x_rod4_frame_2_2 = alpha_rod4_frame_2
+        .mul_add(x_rod1_frame_2_2, w_rod3_frame_in_rod4_frame_1 * H_rod4_3);
     let x_rod4_frame_3_2 = alpha_rod4_frame_3
-        .mul_add(m_l_sq, w_rod3_frame_in_rod4_frame_1 * H_rod4_2);
+        .mul_add(x_rod1_frame_2_2, w_rod3_frame_in_rod4_frame_1 * H_rod4_2);
     let w_rod4_frame_in_rod5_frame_1 = (-w_rod4_frame_2)
         .mul_add(sin_q_P5, w_rod3_frame_in_rod4_frame_1 * cos_q_P5);
     let w_rod4_frame_in_rod5_frame_2 = w_rod3_frame_in_rod4_frame_1
         .mul_add(sin_q_P5, w_rod4_frame_2 * cos_q_P5);
-    let ratio_q_P5_u_P4_2_of_u_p4 = (-ratio_q_P1_u_P4_of_place_18)
-        .mul_add(
-            ratio_q_P1_u_P4_2_of_u_p4_59,
-            ratio_q_P1_u_P4_of_place_63 * ratio_q_P1_u_P4_2_of_u_p4_55,
-        );
-    let ratio_q_P5_u_P4_2 = ratio_q_P1_u_P4_of_place_89
-        * (ratio_q_P2_u_P4_of_place_3
-            * (-ratio_q_P1_u_P4_of_place_17)
+    let ratio_q_P5_u_P1_2 = ratio_q_P3_u_P1_of_place_4 * ratio_q_P2_u_P1_2_of_u_p1_105
+        + ratio_q_P5_u_P1_of_place * ratio_q_P2_u_P1_2_of_u_p1_112
+        - ratio_q_P5_u_P1_of_place_2 * ratio_q_P3_u_P1_2_of_u_p1_3
+        + ratio_q_P2_u_P1_of_place_80 * ratio_q_P3_u_P1_2_of_u_p1_4
+        + ratio_q_P2_u_P1_of_place_102
+            * ((-ratio_q_P2_u_P1_of_place_82)
                 .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_59,
-                    ratio_q_P1_u_P4_of_place_62 * ratio_q_P1_u_P4_2_of_u_p4_55,
-                ) + ratio_q_P3_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_9
-            - ratio_q_P3_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_61
-            + ratio_q_P1_u_P4_of_place_46 * ratio_q_P1_u_P4_2_of_u_p4_66
-            + ratio_q_P5_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_73
-            + ratio_q_P1_u_P4_of_place_86 * ratio_q_P1_u_P4_2_of_u_p4_77)
-        + ratio_q_P1_u_P4_of_place_81
-            * ((-ratio_q_P1_u_P4_of_place_45)
-                .mul_add(
-                    ratio_q_P1_u_P4_2_of_u_p4_25,
-                    ratio_q_P1_u_P4_of_place_67 * ratio_q_P5_u_P4_of_place_6
-                        * ratio_q_P1_u_P4_2_of_place_4,
-                ) + ratio_q_P1_u_P4_of_place_68 * ratio_q_P1_u_P4_2_of_u_p4_58
-                + ratio_q_P1_u_P4_of_place_51 * ratio_q_P1_u_P4_2_of_u_p4_61
-                - ratio_q_P1_u_P4_of_place_62 * ratio_q_P1_u_P4_2_of_u_p4_71
-                - ratio_q_P1_u_P4_of_place_40 * ratio_q_P1_u_P4_2_of_u_p4_76
-                - ratio_q_P5_u_P4_of_place * ratio_q_P1_u_P4_2_of_u_p4_78)
-        + ratio_q_P1_u_P4_of_place_77 * ratio_q_P1_u_P4_2_of_u_p4_81
-        + ratio_q_P1_u_P4_of_place_72 * ratio_q_P1_u_P4_2_of_u_p4_84
-        + ratio_q_P5_u_P4_of_place_2 * ratio_q_P1_u_P4_2_of_u_p4_86
-        - ratio_q_P5_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_u_p4_88
-        - ratio_q_P5_u_P4_of_place_9 * ratio_q_P3_u_P4_2_of_u_p4
-        + ratio_q_P1_u_P4_of_place_75 * ratio_q_P1_u_P4_of_place_95
-            * (ratio_q_P1_u_P4_of_place_78 * ratio_q_P5_u_P4_of_place_8
-                * ratio_q_P1_u_P4_2_of_u_p4_9
-                - l * ratio_q_P5_u_P4_of_place_3 * ratio_q_P1_u_P4_2_of_u_p4_72
-                + ratio_q_P1_u_P4_of_place_46
-                    * (ratio_q_P1_u_P4_of_place_17
-                        * (-sin_q_p1_l_sq)
-                            .mul_add(
-                                ratio_q_P1_u_P4_2_of_u_p4_41,
-                                ratio_q_P1_u_P4_of_place_4 * ratio_q_P1_u_P4_2_of_place,
-                            ) + ratio_q_P5_u_P4_of_place_6 * ratio_q_P1_u_P4_2_of_u_p4_9
-                        + l_sq * ratio_q_P5_u_P4_of_place_5 * ratio_q_P1_u_P4_2_of_u_p4_55
-                        + ratio_q_P1_u_P4_of_place_34
-                            * (ratio_q_P1_u_P4_of_place_61
-                                .mul_add(
-                                    sin_q_p1_w_rod1_frame_2,
-                                    x_rod1_frame_in_rod2_frame_2_3 * ratio_q_P1_u_P4_2_of_u_p4_8,
-                                ) + ratio_q_P1_u_P4_2_of_u_p4_40 * cos_q_P1
-                                - ratio_q_P1_u_P4_2_of_place_5 * sin_q_P1
-                                + ratio_q_P1_u_P4_of_place_16 * ratio_q_P1_u_P4_2_of_place_7))
-                + ratio_q_P5_u_P4_of_place_7 * ratio_q_P1_u_P4_2_of_u_p4_77
-                - l_sq * ratio_q_P1_u_P4_of_place_52
-                    * ratio_q_P1_u_P4_of_place_59
+                    ratio_q_P2_u_P1_2_of_u_p1_67,
+                    ratio_q_P2_u_P1_of_place_16 * ratio_q_P3_u_P1_2_of_u_p1_2,
+                ) - ratio_q_P3_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_71
+                - ratio_q_P4_u_P1_of_place_2 * ratio_q_P2_u_P1_2_of_u_p1_75
+                - ratio_q_P2_u_P1_of_place_26 * ratio_q_P2_u_P1_2_of_u_p1_106
+                - ratio_q_P2_u_P1_of_place_23 * ratio_q_P4_u_P1_2_of_u_p1)
+        + ratio_q_P3_u_P1_of_place_5
+            * (ratio_q_P5_u_P1_of_q_p3_q_p5 * ratio_q_P2_u_P1_2_of_u_p1_3
+                - ratio_q_P5_u_P1_of_q_p3_q_p5_2 * ratio_q_P2_u_P1_2_of_u_p1
+                + sin_q_P4
+                    * ((-(ratio_q_P2_u_P1_2_of_u_p1_2 * sin_q_P3))
                         .mul_add(
-                            ratio_q_P1_u_P4_2_of_u_p4_61, -ratio_q_P5_u_P4_2_of_u_p4,
-                        ));
+                            S::int(2),
+                            ratio_q_P2_u_P1_of_q_p5_4 * ratio_q_P2_u_P1_2_of_u_p1_16,
+                        ) + ratio_q_P2_u_P1_2_of_u_p1_34)
+                + ratio_q_P2_u_P1_of_q_p5 * ratio_q_P4_u_P1_2_of_u_p1_2);
     let w_rod5_frame_12 = w_rod4_frame_in_rod5_frame_1 * w_rod4_frame_in_rod5_frame_2;
-    let alpha_rod5_frame_3 = u_P4.mul_add(ratio_q_P5_u_P4_2, alpha_rod4_frame_3);
+    let alpha_rod5_frame_3 = u_P1.mul_add(ratio_q_P5_u_P1_2, alpha_rod4_frame_3);
     let turn_rod5_frame_12 = w_rod5_frame_12 - alpha_rod5_frame_3;
     let a_rod5_centre_1 = a_rod3_frame_in_rod4_frame_1 + l_turn_rod4_frame_11;
     let a_rod5_centre_2 = l_turn_rod4_frame_21 - a_rod4_centre_2;
@@ -4952,7 +4993,7 @@ pub fn linear_system<S: Scalar>(
     let a_rod5_centre_1_2 = a_rod4_frame_in_rod5_frame_1
         .mul_add(S::int(2), l * turn_rod5_frame_12);
     let x_rod5_frame_1 = m * a_rod5_centre_1_2;
-    let w_rod5_frame_3 = w_rod3_frame_in_rod4_frame_3 + u_p4_ratio_q_p5_u_p4;
+    let w_rod5_frame_3 = u_p1_ratio_q_p5_u_p1 - w_rod3_frame_in_rod4_frame_3;
     let w_rod5_frame_11 = w_rod4_frame_in_rod5_frame_1 * w_rod4_frame_in_rod5_frame_1;
     let w_rod5_frame_33 = w_rod5_frame_3 * w_rod5_frame_3;
     let turn_rod5_frame_22 = w_rod5_frame_11 + w_rod5_frame_33;
@@ -4962,70 +5003,63 @@ pub fn linear_system<S: Scalar>(
         .mul_add(S::int(2), l * turn_rod5_frame_22);
     let x_rod5_frame_2 = m * a_rod5_centre_2_2;
     let w_rod5_frame_23 = w_rod4_frame_in_rod5_frame_2 * w_rod5_frame_3;
-    let alpha_rod3_frame_in_rod4_frame_1 = (-alpha_rod3_frame_1)
-        .mul_add(cos_q_P4, alpha_rod3_frame_3 * sin_q_P4);
-    let alpha_rod4_frame_1 = u_P4
-        .mul_add(w_rod3_frame_in_rod4_frame_3, alpha_rod3_frame_in_rod4_frame_1);
-    let alpha_rod4_frame_in_rod5_frame_1 = (-alpha_rod3_frame_2)
+    let alpha_rod3_frame_in_rod4_frame_1 = alpha_rod3_frame_3
+        .mul_add(sin_q_P4, alpha_rod3_frame_1 * cos_q_P4);
+    let alpha_rod4_frame_1 = w_rod3_frame_in_rod4_frame_3
+        .mul_add(u_p1_ratio_q_p4_u_p1, alpha_rod3_frame_in_rod4_frame_1);
+    let alpha_rod4_frame_in_rod5_frame_1 = (-alpha_rod4_frame_2)
         .mul_add(sin_q_P5, alpha_rod4_frame_1 * cos_q_P5);
     let alpha_rod5_frame_1 = w_rod4_frame_in_rod5_frame_2
-        .mul_add(u_p4_ratio_q_p5_u_p4, -alpha_rod4_frame_in_rod5_frame_1);
+        .mul_add(u_p1_ratio_q_p5_u_p1, alpha_rod4_frame_in_rod5_frame_1);
     let turn_rod5_frame_32 = w_rod5_frame_23 + alpha_rod5_frame_1;
     let a_rod5_centre_3 = a_rod3_frame_in_rod4_frame_3 + l_turn_rod4_frame_31;
-    let a_rod5_centre_3_2 = (-a_rod5_centre_3)
-        .mul_add(S::int(2), l * turn_rod5_frame_32);
+    let a_rod5_centre_3_2 = a_rod5_centre_3.mul_add(S::int(2), l * turn_rod5_frame_32);
     let x_rod5_frame_3 = m * a_rod5_centre_3_2;
-    let H_rod5_3 = w_rod5_frame_3 * m_l_sq;
+    let H_rod5_3 = w_rod5_frame_3 * x_rod1_frame_2_2;
     let x_rod5_frame_1_2 = alpha_rod5_frame_1
-        .mul_add(m_l_sq, w_rod4_frame_in_rod5_frame_2 * H_rod5_3);
-    let H_rod5_1 = w_rod4_frame_in_rod5_frame_1 * m_l_sq;
+        .mul_add(x_rod1_frame_2_2, w_rod4_frame_in_rod5_frame_2 * H_rod5_3);
+    let H_rod5_1 = w_rod4_frame_in_rod5_frame_1 * x_rod1_frame_2_2;
     let x_rod5_frame_2_2 = (-w_rod4_frame_in_rod5_frame_1)
         .mul_add(H_rod5_3, w_rod5_frame_3 * H_rod5_1);
     let x_rod5_frame_3_2 = (-alpha_rod5_frame_3)
-        .mul_add(m_l_sq, w_rod4_frame_in_rod5_frame_2 * H_rod5_1);
-    let x_rod1_frame_in_rod2_frame_3 = l * ratio_q_P1_u_P4;
-    let x_rod1_frame_3_2 = m * x_rod1_frame_in_rod2_frame_3;
+        .mul_add(x_rod1_frame_2_2, w_rod4_frame_in_rod5_frame_2 * H_rod5_1);
+    let x_rod1_frame_3 = l * m;
     let x_rod1_frame_in_N_1 = l * cos_q_P1;
     let x_N_in_rod1_frame_1 = (-x_rod1_frame_in_N_3)
         .mul_add(cos_q_P1, x_rod1_frame_in_N_1 * sin_q_P1);
-    let x_rod1_frame_2_3 = ratio_q_P1_u_P4 * m_l_sq;
     let x_N_in_rod1_frame_3 = x_rod1_frame_in_N_3
         .mul_add(sin_q_P1, x_rod1_frame_in_N_1 * cos_q_P1);
-    let x_rod5_frame_1_3 = l * ratio_q_P2_u_P4;
+    let x_rod5_frame_1_3 = l * ratio_q_P2_u_P1;
     let x_rod2_frame_1_3 = m * x_rod5_frame_1_3;
-    let w_rod1_frame_in_rod2_frame_1_2 = ratio_q_P1_u_P4 * sin_q_P2;
-    let a_rod2_centre_3_2_of_place = l * w_rod1_frame_in_rod2_frame_1_2;
-    let a_rod2_centre_3_2 = (-x_rod1_frame_in_rod2_frame_3)
-        .mul_add(S::int(2), a_rod2_centre_3_2_of_place);
-    let x_rod2_frame_3_3 = m * a_rod2_centre_3_2;
-    let x_rod2_frame_1_4 = w_rod1_frame_in_rod2_frame_1_2 * m_l_sq;
     let x_rod2_frame_in_rod1_frame_1 = l * sin_q_P2;
+    let a_rod2_centre_3_2 = l.mul_add(S::int(2), -x_rod2_frame_in_rod1_frame_1);
+    let x_rod2_frame_3_3 = m * a_rod2_centre_3_2;
+    let x_rod2_frame_1_4 = x_rod1_frame_2_2 * sin_q_P2;
     let x_rod2_frame_in_rod1_frame_2 = l * cos_q_P2;
     let x_rod1_frame_in_rod2_frame_1 = x_rod2_frame_in_rod1_frame_2
         .mul_add(cos_q_P2, x_rod2_frame_in_rod1_frame_1 * sin_q_P2);
     let x_rod1_frame_in_rod2_frame_2 = (-x_rod2_frame_in_rod1_frame_1)
         .mul_add(cos_q_P2, x_rod2_frame_in_rod1_frame_2 * sin_q_P2);
-    let x_rod2_frame_3_4 = ratio_q_P2_u_P4 * m_l_sq;
-    let w_rod1_frame_in_rod2_frame_2_2 = ratio_q_P1_u_P4 * cos_q_P2;
-    let w_rod2_frame_in_rod3_frame_2_2 = (-w_rod1_frame_in_rod2_frame_2_2)
-        .mul_add(cos_q_P3, ratio_q_P2_u_P4 * sin_q_P3);
+    let x_rod2_frame_3_4 = ratio_q_P2_u_P1 * x_rod1_frame_2_2;
+    let w_rod2_frame_in_rod3_frame_2_2 = ratio_q_P2_u_P1
+        .mul_add(sin_q_P3, x_rod2_frame_in_rod3_frame_2_4);
     let a_rod3_centre_1_3_of_place = l * w_rod2_frame_in_rod3_frame_2_2;
     let a_rod3_centre_1_3 = (-x_rod5_frame_1_3)
         .mul_add(S::int(2), a_rod3_centre_1_3_of_place);
     let x_rod3_frame_1_3 = m * a_rod3_centre_1_3;
-    let w_rod3_frame_1_2 = ratio_q_P3_u_P4 + w_rod1_frame_in_rod2_frame_1_2;
-    let x_rod5_frame_3_3 = a_rod2_centre_3_2_of_place - x_rod1_frame_in_rod2_frame_3;
+    let w_rod3_frame_1_2 = sin_q_P2 + ratio_q_P3_u_P1;
+    let x_rod5_frame_3_3 = l - x_rod2_frame_in_rod1_frame_1;
     let x_rod2_frame_in_rod3_frame_2 = x_rod5_frame_3_3 * sin_q_P3;
     let l_w_rod3_frame_1_2 = l * w_rod3_frame_1_2;
-    let a_rod3_centre_2_3 = (-x_rod2_frame_in_rod3_frame_2)
+    let a_rod3_centre_2_3 = x_rod2_frame_in_rod3_frame_2
         .mul_add(S::int(2), l_w_rod3_frame_1_2);
     let x_rod3_frame_2_3 = m * a_rod3_centre_2_3;
     let x_rod2_frame_in_rod3_frame_3 = x_rod5_frame_3_3 * cos_q_P3;
     let x_rod3_frame_3_3 = m * x_rod2_frame_in_rod3_frame_3;
-    let x_rod3_frame_1_4 = w_rod3_frame_1_2 * m_l_sq;
+    let x_rod3_frame_1_4 = x_rod1_frame_2_2 * w_rod3_frame_1_2;
     let x_rod3_frame_in_rod2_frame_3 = l * cos_q_P3;
     let x_rod3_frame_in_rod2_frame_2 = l * sin_q_P3;
-    let x_rod3_frame_2_4 = w_rod2_frame_in_rod3_frame_2_2 * m_l_sq;
+    let x_rod3_frame_2_4 = x_rod1_frame_2_2 * w_rod2_frame_in_rod3_frame_2_2;
     let x_rod2_frame_in_rod3_frame_2_2 = x_rod3_frame_in_rod2_frame_2
         .mul_add(sin_q_P3, x_rod3_frame_in_rod2_frame_3 * cos_q_P3);
     let x_rod2_frame_in_rod3_frame_3_2 = (-x_rod3_frame_in_rod2_frame_2)
@@ -5034,38 +5068,37 @@ pub fn linear_system<S: Scalar>(
     let x_rod3_frame_in_rod4_frame_1 = x_rod5_frame_1_4
         .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3 * sin_q_P4);
     let x_rod4_frame_1_3 = m * x_rod3_frame_in_rod4_frame_1;
-    let w_rod2_frame_in_rod3_frame_3_2 = w_rod1_frame_in_rod2_frame_2_2
-        .mul_add(sin_q_P3, ratio_q_P2_u_P4 * cos_q_P3);
+    let w_rod2_frame_in_rod3_frame_3_2 = (-ratio_q_P2_u_P1)
+        .mul_add(cos_q_P3, x_rod2_frame_in_rod3_frame_3_4);
     let w_rod3_frame_in_rod4_frame_3_2 = (-w_rod3_frame_1_2)
         .mul_add(sin_q_P4, w_rod2_frame_in_rod3_frame_3_2 * cos_q_P4);
-    let x_rod5_frame_2_3 = l_w_rod3_frame_1_2 - x_rod2_frame_in_rod3_frame_2;
+    let x_rod5_frame_2_3 = x_rod2_frame_in_rod3_frame_2 + l_w_rod3_frame_1_2;
     let a_rod4_centre_2_3_of_place = l * w_rod3_frame_in_rod4_frame_3_2;
     let a_rod4_centre_2_3 = (-x_rod5_frame_2_3)
         .mul_add(S::int(2), a_rod4_centre_2_3_of_place);
     let x_rod4_frame_2_3 = m * a_rod4_centre_2_3;
-    let w_rod4_frame_2_2 = S::int(1) + w_rod2_frame_in_rod3_frame_2_2;
+    let w_rod4_frame_2_2 = ratio_q_P4_u_P1 - w_rod2_frame_in_rod3_frame_2_2;
     let x_rod3_frame_in_rod4_frame_3 = (-x_rod5_frame_1_4)
         .mul_add(sin_q_P4, x_rod2_frame_in_rod3_frame_3 * cos_q_P4);
     let l_w_rod4_frame_2_2 = l * w_rod4_frame_2_2;
-    let a_rod4_centre_3_3 = (-x_rod3_frame_in_rod4_frame_3)
+    let a_rod4_centre_3_3 = x_rod3_frame_in_rod4_frame_3
         .mul_add(S::int(2), l_w_rod4_frame_2_2);
     let x_rod4_frame_3_3 = m * a_rod4_centre_3_3;
     let x_rod4_frame_in_rod3_frame_1 = l * cos_q_P4;
     let x_rod4_frame_in_rod3_frame_3 = l * sin_q_P4;
     let x_rod3_frame_in_rod4_frame_1_2 = (-x_rod4_frame_in_rod3_frame_3)
         .mul_add(cos_q_P4, x_rod4_frame_in_rod3_frame_1 * sin_q_P4);
-    let x_rod4_frame_2_4 = w_rod4_frame_2_2 * m_l_sq;
-    let x_rod4_frame_3_4 = w_rod3_frame_in_rod4_frame_3_2 * m_l_sq;
+    let x_rod4_frame_2_4 = x_rod1_frame_2_2 * w_rod4_frame_2_2;
+    let x_rod4_frame_3_4 = x_rod1_frame_2_2 * w_rod3_frame_in_rod4_frame_3_2;
     let x_rod3_frame_in_rod4_frame_3_2 = x_rod4_frame_in_rod3_frame_3
         .mul_add(sin_q_P4, x_rod4_frame_in_rod3_frame_1 * cos_q_P4);
-    let w_rod5_frame_3_2 = ratio_q_P5_u_P4 - w_rod3_frame_in_rod4_frame_3_2;
+    let w_rod5_frame_3_2 = ratio_q_P5_u_P1 + w_rod3_frame_in_rod4_frame_3_2;
     let x_rod5_frame_2_4 = a_rod4_centre_2_3_of_place - x_rod5_frame_2_3;
-    let x_rod4_frame_in_rod5_frame_1 = (-x_rod5_frame_2_4)
+    let x_rod4_frame_in_rod5_frame_1 = x_rod5_frame_2_4
         .mul_add(sin_q_P5, x_rod3_frame_in_rod4_frame_1 * cos_q_P5);
     let a_rod5_centre_1_3 = (-x_rod4_frame_in_rod5_frame_1)
         .mul_add(S::int(2), l * w_rod5_frame_3_2);
     let x_rod5_frame_1_5 = m * a_rod5_centre_1_3;
-    let x_rod1_frame_in_rod2_frame_1_2 = cos_q_P1 * cos_q_P2;
     let x_rod2_frame_in_rod3_frame_2_3 = (-x_rod1_frame_in_rod2_frame_2_2)
         .mul_add(cos_q_P3, sin_q_p3_sin_q_p1);
     let x_rod2_frame_in_rod3_frame_3_3 = x_rod1_frame_in_rod2_frame_2_2
@@ -5074,22 +5107,17 @@ pub fn linear_system<S: Scalar>(
         .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3_3 * sin_q_P4);
     let x_rod4_frame_in_rod5_frame_1_2 = (-x_rod2_frame_in_rod3_frame_2_3)
         .mul_add(sin_q_P5, x_rod3_frame_in_rod4_frame_1_3 * cos_q_P5);
-    let x_rod2_frame_in_rod3_frame_2_4 = cos_q_P2 * cos_q_P3;
-    let x_rod2_frame_in_rod3_frame_3_4 = cos_q_P2 * sin_q_P3;
     let x_rod3_frame_in_rod4_frame_1_4 = x_rod2_frame_in_rod3_frame_3_4
         .mul_add(sin_q_P4, sin_q_p2_cos_q_p4);
     let x_rod4_frame_in_rod5_frame_1_3 = x_rod3_frame_in_rod4_frame_1_4
         .mul_add(cos_q_P5, x_rod2_frame_in_rod3_frame_2_4 * sin_q_P5);
-    let x_rod1_frame_in_rod2_frame_1_3 = sin_q_P1 * cos_q_P2;
-    let x_rod2_frame_in_rod3_frame_2_5 = x_rod1_frame_in_rod2_frame_2_3
-        .mul_add(cos_q_P3, sin_q_p3_cos_q_p1);
     let x_rod2_frame_in_rod3_frame_3_5 = (-x_rod1_frame_in_rod2_frame_2_3)
         .mul_add(sin_q_P3, cos_q_p3_cos_q_p1);
     let x_rod3_frame_in_rod4_frame_1_5 = x_rod2_frame_in_rod3_frame_3_5
         .mul_add(sin_q_P4, x_rod1_frame_in_rod2_frame_1_3 * cos_q_P4);
     let x_rod4_frame_in_rod5_frame_1_4 = (-x_rod2_frame_in_rod3_frame_2_5)
         .mul_add(sin_q_P5, x_rod3_frame_in_rod4_frame_1_5 * cos_q_P5);
-    let x_rod4_frame_in_rod5_frame_2 = x_rod5_frame_2_4
+    let x_rod4_frame_in_rod5_frame_2 = (-x_rod5_frame_2_4)
         .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1 * sin_q_P5);
     let x_rod5_frame_2_5 = m * x_rod4_frame_in_rod5_frame_2;
     let x_rod4_frame_in_rod5_frame_2_2 = x_rod3_frame_in_rod4_frame_1_3
@@ -5097,12 +5125,12 @@ pub fn linear_system<S: Scalar>(
     let x_rod4_frame_in_rod5_frame_2_3 = (-x_rod2_frame_in_rod3_frame_2_4)
         .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1_4 * sin_q_P5);
     let x_rod4_frame_in_rod5_frame_2_4 = x_rod3_frame_in_rod4_frame_1_5
-        .mul_add(sin_q_P5, x_rod2_frame_in_rod3_frame_2_5 * cos_q_P5);
+        .mul_add(sin_q_P5, ratio_q_P2_u_P1_of_place_10);
     let w_rod3_frame_in_rod4_frame_1_2 = w_rod2_frame_in_rod3_frame_3_2
         .mul_add(sin_q_P4, w_rod3_frame_1_2 * cos_q_P4);
     let w_rod4_frame_in_rod5_frame_1_2 = (-w_rod4_frame_2_2)
         .mul_add(sin_q_P5, w_rod3_frame_in_rod4_frame_1_2 * cos_q_P5);
-    let x_rod5_frame_3_4 = l_w_rod4_frame_2_2 - x_rod3_frame_in_rod4_frame_3;
+    let x_rod5_frame_3_4 = x_rod3_frame_in_rod4_frame_3 + l_w_rod4_frame_2_2;
     let a_rod5_centre_3_3 = x_rod5_frame_3_4
         .mul_add(S::int(2), l * w_rod4_frame_in_rod5_frame_1_2);
     let x_rod5_frame_3_5 = m * a_rod5_centre_3_3;
@@ -5110,11 +5138,10 @@ pub fn linear_system<S: Scalar>(
         .mul_add(cos_q_P4, x_rod1_frame_in_rod2_frame_1_2 * sin_q_P4);
     let x_rod3_frame_in_rod4_frame_3_4 = (-x_rod2_frame_in_rod3_frame_3_4)
         .mul_add(cos_q_P4, sin_q_p2_sin_q_p4);
-    let x_rod3_frame_in_rod4_frame_3_5 = (-x_rod1_frame_in_rod2_frame_1_3)
-        .mul_add(sin_q_P4, x_rod2_frame_in_rod3_frame_3_5 * cos_q_P4);
-    let x_rod5_frame_1_6 = w_rod4_frame_in_rod5_frame_1_2 * m_l_sq;
+    let x_rod3_frame_in_rod4_frame_3_5 = x_rod2_frame_in_rod3_frame_3_5
+        .mul_add(cos_q_P4, -ratio_q_P2_u_P1_of_place_75);
+    let x_rod5_frame_1_6 = x_rod1_frame_2_2 * w_rod4_frame_in_rod5_frame_1_2;
     let x_rod5_frame_in_rod4_frame_1 = l * sin_q_P5;
-    let x_rod5_frame_in_rod4_frame_2 = l * cos_q_P5;
     let x_rod4_frame_in_rod3_frame_1_2 = x_rod5_frame_in_rod4_frame_1 * cos_q_P4;
     let x_rod4_frame_in_rod3_frame_3_2 = x_rod5_frame_in_rod4_frame_1 * sin_q_P4;
     let x_rod3_frame_in_rod2_frame_2_2 = (-x_rod4_frame_in_rod3_frame_3_2)
@@ -5169,9 +5196,9 @@ pub fn linear_system<S: Scalar>(
         .mul_add(cos_q_P4, x_rod2_frame_in_rod3_frame_3_8 * sin_q_P4);
     let x_rod4_frame_in_rod5_frame_1_7 = x_rod3_frame_in_rod4_frame_1_8
         .mul_add(cos_q_P5, x_rod2_frame_in_rod3_frame_2_8 * sin_q_P5);
-    let x_N_2 = ratio_q_P1_u_P4_of_place_73;
-    let x_N_in_rod1_frame_1_5 = ratio_q_P1_u_P4_of_place_13 * cos_q_P1;
-    let x_N_in_rod1_frame_3_3 = ratio_q_P1_u_P4_of_place_13 * sin_q_P1;
+    let x_N_2 = ratio_q_P2_u_P1_of_place_28;
+    let x_N_in_rod1_frame_1_5 = ratio_q_P2_u_P1_of_place_5 * cos_q_P1;
+    let x_N_in_rod1_frame_3_3 = ratio_q_P2_u_P1_of_place_5 * sin_q_P1;
     let x_rod1_frame_in_rod2_frame_1_7 = x_N_in_rod1_frame_1_5
         .mul_add(cos_q_P2, x_N_2 * sin_q_P2);
     let x_rod1_frame_in_rod2_frame_2_7 = (-x_N_2)
@@ -5196,7 +5223,7 @@ pub fn linear_system<S: Scalar>(
         .mul_add(cos_q_P5, x_rod3_frame_in_rod4_frame_1_9 * sin_q_P5);
     let x_rod4_frame_in_rod5_frame_2_9 = (-x_rod5_frame_in_rod4_frame_1)
         .mul_add(cos_q_P5, x_rod5_frame_in_rod4_frame_2 * sin_q_P5);
-    let x_rod5_frame_3_6 = w_rod5_frame_3_2 * m_l_sq;
+    let x_rod5_frame_3_6 = x_rod1_frame_2_2 * w_rod5_frame_3_2;
     let x_rod3_frame_in_rod4_frame_3_6 = x_rod2_frame_in_rod3_frame_3_6
         .mul_add(cos_q_P4, x_rod1_frame_in_rod2_frame_1_4 * sin_q_P4);
     let x_rod3_frame_in_rod4_frame_3_7 = x_rod2_frame_in_rod3_frame_3_7
@@ -5213,9 +5240,9 @@ pub fn linear_system<S: Scalar>(
     let minus_sin_q_p1 = -sin_q_P1;
     let minus_cos_q_p3 = -cos_q_P3;
     let minus_cos_q_p5 = -cos_q_P5;
-    let minus_cos_q_p4 = -cos_q_P4;
     let minus_cos_q_p1 = -cos_q_P1;
     let minus_cos_q_p2 = -cos_q_P2;
+    let minus_cos_q_p4 = -cos_q_P4;
     let minus_l_halved = -l_halved;
     // Values.
     let m_1_21 = S::int(1);
@@ -5223,7 +5250,7 @@ pub fn linear_system<S: Scalar>(
     let m_1_28 = sin_q_P1;
     let m_2_22 = S::int(1);
     let m_2_27 = -S::int(1);
-    let m_3_1 = S::ratio(1, 2) * x_rod1_frame_3_2;
+    let m_3_1 = -S::ratio(1, 2) * x_rod1_frame_3;
     let m_3_23 = S::int(1);
     let m_3_26 = minus_sin_q_p1;
     let m_3_28 = minus_cos_q_p1;
@@ -5231,7 +5258,7 @@ pub fn linear_system<S: Scalar>(
     let m_4_27 = -S::ratio(1, 2) * x_N_in_rod1_frame_1;
     let m_4_29 = minus_cos_q_p1;
     let m_4_30 = sin_q_P1;
-    let m_5_1 = -S::ratio(1, 12) * x_rod1_frame_2_3;
+    let m_5_1 = S::ratio(1, 12) * x_rod1_frame_2_2;
     let m_5_23 = minus_l_halved;
     let m_5_25 = S::int(1);
     let m_5_26 = -S::ratio(1, 2) * x_rod1_frame_in_N_3;
@@ -5250,7 +5277,7 @@ pub fn linear_system<S: Scalar>(
     let m_9_1 = -S::ratio(1, 2) * x_rod2_frame_3_3;
     let m_9_18 = S::int(1);
     let m_9_23 = -S::int(1);
-    let m_10_1 = -S::ratio(1, 12) * x_rod2_frame_1_4;
+    let m_10_1 = S::ratio(1, 12) * x_rod2_frame_1_4;
     let m_10_18 = l_halved;
     let m_10_23 = S::ratio(1, 2) * x_rod1_frame_in_rod2_frame_1;
     let m_10_24 = minus_cos_q_p2;
@@ -5267,7 +5294,7 @@ pub fn linear_system<S: Scalar>(
     let m_13_1 = S::ratio(1, 2) * x_rod3_frame_1_3;
     let m_13_11 = S::int(1);
     let m_13_16 = -S::int(1);
-    let m_14_1 = S::ratio(1, 2) * x_rod3_frame_2_3;
+    let m_14_1 = -S::ratio(1, 2) * x_rod3_frame_2_3;
     let m_14_12 = S::int(1);
     let m_14_17 = minus_cos_q_p3;
     let m_14_18 = minus_sin_q_p3;
@@ -5275,7 +5302,7 @@ pub fn linear_system<S: Scalar>(
     let m_15_13 = S::int(1);
     let m_15_17 = sin_q_P3;
     let m_15_18 = minus_cos_q_p3;
-    let m_16_1 = -S::ratio(1, 12) * x_rod3_frame_1_4;
+    let m_16_1 = S::ratio(1, 12) * x_rod3_frame_1_4;
     let m_16_12 = minus_l_halved;
     let m_16_14 = S::int(1);
     let m_16_17 = -S::ratio(1, 2) * x_rod3_frame_in_rod2_frame_3;
@@ -5292,10 +5319,10 @@ pub fn linear_system<S: Scalar>(
     let m_19_6 = S::int(1);
     let m_19_11 = minus_cos_q_p4;
     let m_19_13 = sin_q_P4;
-    let m_20_1 = -S::ratio(1, 2) * x_rod4_frame_2_3;
+    let m_20_1 = S::ratio(1, 2) * x_rod4_frame_2_3;
     let m_20_7 = S::int(1);
     let m_20_12 = -S::int(1);
-    let m_21_1 = S::ratio(1, 2) * x_rod4_frame_3_3;
+    let m_21_1 = -S::ratio(1, 2) * x_rod4_frame_3_3;
     let m_21_8 = S::int(1);
     let m_21_11 = minus_sin_q_p4;
     let m_21_13 = minus_cos_q_p4;
@@ -5303,12 +5330,12 @@ pub fn linear_system<S: Scalar>(
     let m_22_12 = S::ratio(1, 2) * x_rod3_frame_in_rod4_frame_1_2;
     let m_22_14 = minus_cos_q_p4;
     let m_22_15 = sin_q_P4;
-    let m_23_1 = S::ratio(1, 12) * x_rod4_frame_2_4;
+    let m_23_1 = -S::ratio(1, 12) * x_rod4_frame_2_4;
     let m_23_8 = l_halved;
     let m_23_10 = S::int(1);
     let m_23_11 = S::ratio(1, 2) * x_rod4_frame_in_rod3_frame_3;
     let m_23_13 = S::ratio(1, 2) * x_rod4_frame_in_rod3_frame_1;
-    let m_24_1 = S::ratio(1, 12) * x_rod4_frame_3_4;
+    let m_24_1 = -S::ratio(1, 12) * x_rod4_frame_3_4;
     let m_24_7 = minus_l_halved;
     let m_24_12 = -S::ratio(1, 2) * x_rod3_frame_in_rod4_frame_3_2;
     let m_24_14 = minus_sin_q_p4;
@@ -5322,12 +5349,12 @@ pub fn linear_system<S: Scalar>(
     let m_26_4 = -x_rod4_frame_in_rod5_frame_2_4;
     let m_26_6 = sin_q_P5;
     let m_26_7 = minus_cos_q_p5;
-    let m_27_1 = S::ratio(1, 2) * x_rod5_frame_3_5;
+    let m_27_1 = -S::ratio(1, 2) * x_rod5_frame_3_5;
     let m_27_2 = -x_rod3_frame_in_rod4_frame_3_3;
     let m_27_3 = -x_rod3_frame_in_rod4_frame_3_4;
     let m_27_4 = -x_rod3_frame_in_rod4_frame_3_5;
     let m_27_8 = -S::int(1);
-    let m_28_1 = -S::ratio(1, 12) * x_rod5_frame_1_6;
+    let m_28_1 = S::ratio(1, 12) * x_rod5_frame_1_6;
     let m_28_2 = S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_1_5;
     let m_28_3 = S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_1_6;
     let m_28_4 = S::ratio(1, 2) * x_rod4_frame_in_rod5_frame_1_7;
@@ -5350,13 +5377,11 @@ pub fn linear_system<S: Scalar>(
     let m_30_7 = S::ratio(1, 2) * x_rod5_frame_in_rod4_frame_1;
     let f_1 = S::ratio(1, 2) * x_rod1_frame_1;
     let f_2 = -x_rod1_frame_2;
-    let f_3 = -S::ratio(1, 2) * x_rod1_frame_3;
-    let f_5 = S::ratio(1, 12) * x_rod1_frame_2_2;
     let f_7 = S::ratio(1, 2) * x_rod2_frame_1;
     let f_8 = S::ratio(1, 2) * x_rod2_frame_2;
     let f_9 = -S::ratio(1, 2) * x_rod2_frame_3;
-    let f_10 = S::ratio(1, 12) * x_rod2_frame_1_2;
-    let f_11 = S::ratio(1, 12) * x_rod2_frame_2_2;
+    let f_10 = -S::ratio(1, 12) * x_rod2_frame_1_2;
+    let f_11 = -S::ratio(1, 12) * x_rod2_frame_2_2;
     let f_12 = S::ratio(1, 12) * x_rod2_frame_3_2;
     let f_13 = S::ratio(1, 2) * x_rod3_frame_1;
     let f_14 = S::ratio(1, 2) * x_rod3_frame_2;
@@ -5372,9 +5397,9 @@ pub fn linear_system<S: Scalar>(
     let f_24 = S::ratio(1, 12) * x_rod4_frame_3_2;
     let f_25 = -S::ratio(1, 2) * x_rod5_frame_1;
     let f_26 = -S::ratio(1, 2) * x_rod5_frame_2;
-    let f_27 = -S::ratio(1, 2) * x_rod5_frame_3;
-    let f_28 = S::ratio(1, 12) * x_rod5_frame_1_2;
-    let f_29 = -S::ratio(1, 12) * x_rod5_frame_2_2;
+    let f_27 = S::ratio(1, 2) * x_rod5_frame_3;
+    let f_28 = -S::ratio(1, 12) * x_rod5_frame_1_2;
+    let f_29 = S::ratio(1, 12) * x_rod5_frame_2_2;
     let f_30 = -S::ratio(1, 12) * x_rod5_frame_3_2;
     let zero = S::int(0);
     (
@@ -5450,8 +5475,9 @@ pub fn linear_system<S: Scalar>(
             zero, zero, zero, zero,
         ],
         [
-            f_1, f_2, f_3, zero, f_5, zero, f_7, f_8, f_9, f_10, f_11, f_12, f_13, f_14, f_15, f_16,
-            f_17, f_18, f_19, f_20, f_21, f_22, f_23, f_24, f_25, f_26, f_27, f_28, f_29, f_30,
+            f_1, f_2, zero, zero, zero, zero, f_7, f_8, f_9, f_10, f_11, f_12, f_13, f_14, f_15,
+            f_16, f_17, f_18, f_19, f_20, f_21, f_22, f_23, f_24, f_25, f_26, f_27, f_28, f_29,
+            f_30,
         ],
     )
 }
