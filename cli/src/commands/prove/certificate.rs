@@ -4,7 +4,9 @@
 //! points of modular proofs, so that nobody can choose them. `docs/certificate.md` states the format.
 
 use super::identities::{IdentityName, derivation_identities, reaction_identities};
+use super::inputs_in_integral;
 use crate::commands::derive::DerivationText;
+use crate::terminal::failure::Failure;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos::Mechanism;
@@ -13,7 +15,7 @@ use tripos_derive::algebra::term::calculus::Substitution;
 use tripos_derive::algebra::text::definitions::definitions_shown;
 use tripos_derive::algebra::text::print::{print_text, print_whole_text};
 use tripos_derive::algebra::value::proved_prime::proved_prime_after;
-use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::algebra::{Arena, Expr, Function, Node};
 use tripos_derive::mechanics::{Derivations, Formulation};
 use tripos_derive::model::text_digest;
 use tripos_derive::prove::{Combination, Integral, IntegralKind, Proof};
@@ -34,12 +36,16 @@ const NOT_CERTIFIED: [&str; 8] = [
 ];
 
 /// Returns the certificate of the proofs about a model. The proofs must belong to the derivation.
+///
+/// # Errors
+/// `Failure` if a formula is too long, or contains a root of a number that may not exist modulo the prime.
 pub fn certificate_text(
     model: &Mechanism,
     derivations: &mut Derivations,
     proof: &Proof,
     derivation: &DerivationText,
-) -> String {
+) -> Result<String, Failure> {
+    refuse_uncertifiable_formulas(derivations, proof)?;
     let mut identities = derivation_identities(&derivation.value, is_driven(model, derivations));
     let arena = &derivations.kinematics.arena;
     let mut lines = vec![
@@ -83,7 +89,45 @@ pub fn certificate_text(
     for line in [json!({ "prime": prime.cofactor, "witness": prime.witness }), json!({ "identities": identities })] {
         let _ = writeln!(out, "{line}");
     }
-    out
+    Ok(out)
+}
+
+/// Refuses formulas that the checker would refuse although they are true: values of reactions and integrals of more
+/// nodes than a text shows, and square roots of numbers with large prime factors.
+fn refuse_uncertifiable_formulas(derivations: &Derivations, proof: &Proof) -> Result<(), Failure> {
+    let arena = &derivations.kinematics.arena;
+    let reactions = proof.reactions.iter().map(|reaction| (format!("the reaction {}", reaction.name), reaction.value));
+    let integrals = proof.integrals.iter().map(|integral| ("a first integral".to_owned(), integral.expression));
+    let values: Vec<(String, Expr)> = reactions.chain(integrals).collect();
+    if let Some((what, _)) = values.iter().find(|(_, value)| print_whole_text(arena, *value).contains('…')) {
+        let help = "prove the model without `--certificate`: the proofs do not need this formula";
+        return Err(Failure::request(format!("the formula of {what} is too long for a certificate"), help));
+    }
+    let equations = Formulation::STANDARD.into_iter().filter_map(|formulation| derivations.get(formulation));
+    let entries = equations.flat_map(|e| e.matrix.iter().flatten().chain(&e.forcing).chain(&e.coordinate_rates));
+    let formulas: Vec<Expr> = entries.copied().chain(values.into_iter().map(|(_, value)| value)).collect();
+    for part in arena.reachable(&formulas) {
+        let Node::Apply(Function::Sqrt, argument) = *arena.node(part) else { continue };
+        if let Node::Number(value) = arena.node(argument)
+            && !value.small().is_some_and(|(above, below)| [above, below].into_iter().all(is_product_of_small_primes))
+        {
+            let what = format!("no certificate can contain {}", print_text(arena, part));
+            let help = "the checker knows roots of products of primes up to 31: use such numbers, or a parameter";
+            return Err(Failure::request(what, help));
+        }
+    }
+    Ok(())
+}
+
+/// True if no prime factor of a number is above 31.
+fn is_product_of_small_primes(number: i64) -> bool {
+    let mut rest = number;
+    for factor in 2..=31 {
+        while rest != 0 && rest % factor == 0 {
+            rest /= factor;
+        }
+    }
+    rest == 1
 }
 
 /// Returns the name of the formulation whose reactions were solved for. `None` if there are no reactions.
@@ -140,6 +184,7 @@ fn integral_line(model: &Mechanism, arena: &Arena, integral: &Integral) -> (Valu
         "integral": integral.name(model, arena),
         "is_energy": integral.kinds.contains(&IntegralKind::Energy),
         "is_momentum_of": momentum,
+        "while_constant": inputs_in_integral(model, arena, integral),
         "named": named(arena, &all),
         "value": print_whole_text(arena, integral.expression),
         "multipliers": texts(arena, &integral.multipliers),
