@@ -7,10 +7,16 @@ use std::process::Command;
 
 /// Runs a program of `tests/certificate` with Python. Returns whether it ended with status 0, and what it printed.
 fn run_checker(program: &str, arguments: &[&str]) -> (bool, String) {
+    let (status, text) = status_of_checker(program, arguments);
+    (status == Some(0), text)
+}
+
+/// Runs a program of `tests/certificate` with Python. Returns its exit status, and what it printed.
+fn status_of_checker(program: &str, arguments: &[&str]) -> (Option<i32>, String) {
     let output = Command::new(python()).arg(root().join("tests/certificate").join(program)).args(arguments).output();
     let output = output.unwrap();
     let text = [output.stdout, output.stderr].concat();
-    (output.status.success(), String::from_utf8_lossy(&text).into_owned())
+    (output.status.code(), String::from_utf8_lossy(&text).into_owned())
 }
 
 /// The Python with which checkers run.
@@ -251,11 +257,21 @@ fn certified_equations_are_those_of_the_model() {
     }
     let folder = tempfile::tempdir().unwrap();
     let files: Vec<String> = models_in("models").iter().map(|model| certificate(folder.path(), model)).collect();
-    let (holds, text) = run_checker("kinematics.py", &files.iter().map(String::as_str).collect::<Vec<_>>());
-    assert!(holds, "{text}");
-    assert!(text.matches("statements hold: kinetic energy, potential energy").count() >= 24, "{text}");
-    let unknown: Vec<&str> = text.lines().filter(|line| line.contains("not checked")).collect();
-    assert!(unknown.len() <= 3, "{unknown:?}");
+    // Status 3: these models are not checked as a whole.
+    let unchecked = [
+        ("bricard", "the loop of the joint P6"),
+        ("governor", "the coordinate z, which a loop eliminates"),
+        ("slider_crank", "the coordinate y, which a loop eliminates"),
+    ];
+    for file in &files {
+        let name = Path::new(file).file_stem().unwrap().to_string_lossy();
+        let left = unchecked.iter().find(|(model, _)| name.ends_with(model));
+        let (status, text) = status_of_checker("kinematics.py", &[file]);
+        match left {
+            Some((_, what)) => assert!(status == Some(3) && text.contains(&format!("not checked: {what}")), "{text}"),
+            None => assert!(status == Some(0) && text.contains("potential energy and power of the loads"), "{text}"),
+        }
+    }
     let chosen = ["cart_pendulum_3", "driven_pendulum", "heavy_top", "rolling_disc", "elastic_pendulum"];
     let names = chosen.map(|name| folder.path().join(format!("models_{name}.cert")).to_str().unwrap().to_owned());
     let arguments: Vec<&str> = ["models", "12"].into_iter().chain(names.iter().map(String::as_str)).collect();
