@@ -14,7 +14,7 @@ MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError
 LINES = {frozenset(keys.split()) for keys in (
     "tripos_certificate model", "model_text sha256", "derivation sha256", "combination named multipliers",
     "reactions named values", "integral value multipliers named is_energy is_momentum_of while_constant", "nonzero",
-    "not_certified", "prime witness", "identities")}
+    "without_effect along named", "not_certified", "prime witness", "identities")}
 BITS, Q = 64, 2**127 - 1  # A false claim must pass with a chance below 2^-BITS. Q is a prime of Mersenne.
 WINDOW = 22  # Of 2^124 numbers, at most 2^22 lead to the same prime.
 
@@ -66,11 +66,13 @@ def read_certificate(text):
     c["statement"] = digest("".join(line + "\n" for line in lines[:-2]))
     c["integrals"] = [line for line in body if "integral" in line]
     c["reactions"] = [line for line in body if "reactions" in line]
+    c["parameters"] = [line for line in body if "without_effect" in line]
     c["combinations"] = {line["combination"]: line for line in body if "combination" in line}
     c["named"] = {f["formulation"]: f["named"] + f["accelerations"] for f in c["derivation"]["formulations"]}
     c["named"] |= {"multipliers of " + name: line["named"] for name, line in c["combinations"].items()}
     c["named"] |= {"reactions of " + line["reactions"]: line["named"] for line in c["reactions"]}
     c["named"] |= {"integral " + line["integral"]: line["named"] for line in c["integrals"]}
+    c["named"] |= {"parameter " + line["without_effect"]: line["named"] for line in c["parameters"]}
     need(len(c["named"]) == len(c["derivation"]["formulations"]) + len(body), "a line is unknown or given twice")
     check_names(c)
     return c

@@ -8,6 +8,7 @@ class Case:
     def __init__(self, certificate, domain):
         self.certificate, self.domain, self.divisors = certificate, domain, {}
         self.inputs = list(certificate["model"].get("inputs", {}))
+        self.parameters = {*self.inputs, *certificate["model"].get("parameters", {})}
         self.by = {f["formulation"]: f for f in certificate["derivation"]["formulations"]}
         need(len(self.by) == len(certificate["derivation"]["formulations"]), "a formulation is given twice")
         self.kane, lagrange = self.by.get("kane"), self.by.get("lagrange")
@@ -81,6 +82,22 @@ class Case:
             need(is_complete or not self.kane["accelerations"], f"{name}: the values of the reactions are missing")
         for line in self.certificate["reactions"]: yield from self.reactions(line, line["reactions"])
         for i in self.certificate["integrals"]: yield from self.integral(i, residual, scopes["kane"])
+        for line in self.certificate["parameters"]: yield from self.parameter(line)
+
+    def parameter(self, line):
+        """No row of Kane's equations changes if a parameter grows and others change by formulas of parameters."""
+        name, formulas = "parameter " + line["without_effect"], line["along"]
+        need(formulas[line["without_effect"]] == "1" and set(formulas) <= self.parameters, f"{name}: it does not grow")
+        moving = {x: (self.symbols[x][0], self.domain.symbol("rate of " + x)) for x in (*self.coordinates, *self.speeds)}
+        scope = self.scope(name, moving, line["named"])
+        rates = {p: (self.domain.symbol(p), scope(rate)[0]) for p, rate in formulas.items()}
+        if isinstance(self.domain, Residues):
+            slopes = [scope(rate)[1] for rate in formulas.values()]
+            need(not any(x and x.v for x in slopes), f"{name}: a rate contains a variable")
+        scope = self.scope("kane", {x: (v, None) for x, (v, _) in self.symbols.items()} | rates)
+        for row, m, b in zip(self.speeds, self.kane["mass_matrix"], self.kane["forcing"]):
+            rate = self.dot([scope(e)[1] or self.zero for e in m], self.free) - (scope(b)[1] or self.zero)
+            yield (name, row), rate, self.zero
 
     def check_motion(self, matrix, scopes):
         """Kane's mass matrix has full rank, and the rates of the coordinates are Kane's in all formulations."""

@@ -124,6 +124,10 @@ def tampered(text, rng, kind):
         r = rng.choice(line["values"])
         r["value"] = spoilt(r["value"], rng)
         return written(lines, True), "value of a reaction"
+    if "without_effect" in line:
+        name = rng.choice(list(line["along"]))
+        line["along"][name] = spoilt(line["along"][name], rng)
+        return written(lines, True), "rate of a parameter"
     row = line["multipliers"] if "integral" in line else rng.choice(line["multipliers"])
     at = rng.randrange(len(row))
     row[at] = spoilt(row[at], rng)
@@ -186,6 +190,9 @@ def forgeries(text):
     for at, line in enumerate(lines):
         if line.get("while_constant"):
             yield changed(lambda lines, _, at=at: lines[at].update(while_constant=[]), "it holds only while")
+        for other in set(line.get("along", ())) - {line.get("without_effect")}:
+            doubled = f"2*({line['along'][other]})"
+            yield changed(lambda lines, _, at=at: lines[at]["along"].update({other: doubled}), "parameter ")
 
 
 ONE, SEVERAL = "mass|inertia|stiffness", "diagonal|acceleration|vector|position|centre|at"

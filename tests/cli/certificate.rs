@@ -84,10 +84,12 @@ fn tampered_certificates_are_refused() {
     assert!(holds && text.contains("300 tampered certificates are refused, 0 accepted"), "{text}");
     let pushed =
         small_model(folder.path(), "pushed", &with_torque("T", "[inputs]\nT = { unit = \"N*m\", value = 2 }\n"));
-    let files = ["models/euler_top", pushed.as_str()].map(|model| certificate(folder.path(), model));
-    let (holds, text) = run_checker("tamper.py", &["0", &files[0], &files[1]]);
+    let files = ["models/euler_top", "models/furuta", pushed.as_str()].map(|model| certificate(folder.path(), model));
+    let (holds, text) = run_checker("tamper.py", &["0", &files[0], &files[1], &files[2]]);
     assert!(holds && text.contains("0 accepted"), "{text}");
-    for reason in ["contains speeds", "it holds only", "the model lacks", "kane, power, rate", "the sides"] {
+    for reason in
+        ["contains speeds", "it holds only", "the model lacks", "kane, power, rate", "the sides", "parameter "]
+    {
         assert!(text.contains(reason), "{reason}: {text}");
     }
 }

@@ -3,7 +3,7 @@
 //! Each line is a JSON value. The lines before the prime are the statement; their hash determines the prime and the
 //! points of modular proofs, so that nobody can choose them. `docs/certificate.md` states the format.
 
-use super::identities::{IdentityName, derivation_identities, reaction_identities};
+use super::identities::{IdentityName, derivation_identities, parameter_identities, reaction_identities};
 use super::inputs_in_integral;
 use crate::commands::derive::DerivationText;
 use crate::terminal::failure::Failure;
@@ -16,7 +16,8 @@ use tripos_derive::algebra::text::definitions::definitions_shown;
 use tripos_derive::algebra::text::print::{print_text, print_whole_text};
 use tripos_derive::algebra::value::proved_prime::proved_prime_after;
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
-use tripos_derive::mechanics::{Derivations, Formulation};
+use tripos_derive::identify::{BaseParameterFactor, Completeness, Identification};
+use tripos_derive::mechanics::{Derivations, Formulation, Regressor, RegressorParameters};
 use tripos_derive::model::text_digest;
 use tripos_derive::prove::{Combination, Integral, IntegralKind, Proof};
 
@@ -24,13 +25,14 @@ use tripos_derive::prove::{Combination, Integral, IntegralKind, Proof};
 const VERSION: u32 = 1;
 
 /// Statements about a model that no certificate contains yet.
-const NOT_CERTIFIED: [&str; 8] = [
+const NOT_CERTIFIED: [&str; 9] = [
     "the kinematics, the loads and the energies of the model: tests/certificate/kinematics.py checks them",
     "entries that only determine a multiplier, and coefficients of t'' = 0",
     "the members steps, count, singular_where and accelerations_divide_by of the derivation",
     "the names of integrals, except energies and momenta of coordinates",
     "that no further first integrals exist",
-    "reductions, redundant constraints and base parameters",
+    "that all other parameters can be identified, in particular inertias that the model does not declare",
+    "reductions and redundant constraints",
     "verdicts on printed derivations",
     "stability, runs and emitted code",
 ];
@@ -75,6 +77,12 @@ pub fn certificate_text(
         let (line, divided) = integral_line(model, arena, integral);
         nonzero.insert(format!("integral {}", integral.name(model, arena)), json!(divided));
         identities.extend(integral_identities(&line));
+        lines.push(line);
+    }
+    for (line, divided) in unidentifiable_parameters(model) {
+        let name = format!("parameter {}", line["without_effect"].as_str().unwrap_or_default());
+        identities.extend(parameter_identities(&derivation.value, &name));
+        nonzero.insert(name, json!(divided));
         lines.push(line);
     }
     lines.push(json!({ "nonzero": nonzero }));
@@ -171,6 +179,37 @@ fn combination_multipliers(proof: &Proof, formulation: Formulation) -> Option<(&
 /// True if a combination gives rows along speeds without reactions. Of the standard formulations, Kane's has such rows.
 pub fn gives_kane(combination: &Combination) -> bool {
     !combination.gives.is_in_rates() && !combination.gives.has_reactions()
+}
+
+/// Returns a line for each declared parameter that motions do not determine. If it grows by 1 while others change by
+/// the stated formulas, no force changes. Each line comes with the divisors in its formulas. Parameters whose factors
+/// have no formula are left out, and so are all if the base parameters cannot be found.
+fn unidentifiable_parameters(model: &Mechanism) -> Vec<(Value, Vec<String>)> {
+    let Ok(mut found) = Identification::new(model, RegressorParameters::Declared) else { return Vec::new() };
+    found.ungroup();
+    if !matches!(found.complete, Completeness::Proved(_)) {
+        return Vec::new();
+    }
+    let Regressor { arena, columns, .. } = &mut found.regressor;
+    let (base, mut lines) = (&found.base, Vec::new());
+    for (at, column) in columns.iter().enumerate().filter(|(at, _)| base.iter().all(|b| b.column != *at)) {
+        let factors =
+            base.iter().flat_map(|b| b.with.iter().filter(|(with, _)| *with == at).map(|(_, f)| (b.column, *f)));
+        let factors: Vec<(usize, BaseParameterFactor)> = factors.collect();
+        let exact = factors.iter().map(|(pivot, factor)| match factor {
+            BaseParameterFactor::Exact(e) => Some((*pivot, *e)),
+            BaseParameterFactor::Number(_) | BaseParameterFactor::Unknown => None,
+        });
+        let Some(exact) = exact.collect::<Option<Vec<_>>>() else { continue };
+        let rates: Vec<(usize, Expr)> = exact.into_iter().map(|(pivot, e)| (pivot, arena.neg(e))).collect();
+        let formulas: Vec<Expr> = rates.iter().map(|(_, rate)| *rate).collect();
+        let others =
+            rates.iter().map(|(pivot, rate)| (columns[*pivot].name.clone(), json!(print_whole_text(arena, *rate))));
+        let along: serde_json::Map<String, Value> = others.chain([(column.name.clone(), json!("1"))]).collect();
+        let divided = divisor_texts(arena, &formulas);
+        lines.push((json!({ "without_effect": column.name, "along": along, "named": [] }), divided));
+    }
+    lines
 }
 
 /// Returns the line of a first integral, and the divisors in its formulas.

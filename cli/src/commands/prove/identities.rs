@@ -57,6 +57,12 @@ pub fn reaction_identities(derivation: &Value, name: &str) -> Vec<IdentityName> 
     system.rows.iter().map(|row| system.identity(&["reactions", row])).collect()
 }
 
+/// Lists the identities that Kane's rows do not change with a parameter. The certificate calls the parameter `name`.
+pub fn parameter_identities(derivation: &Value, name: &str) -> Vec<IdentityName> {
+    let kane = derivation["formulations"].as_array().into_iter().flatten().map(System::new).next();
+    kane.into_iter().flat_map(|kane| kane.rows).map(|row| vec![name.to_owned(), row]).collect()
+}
+
 /// Names in the equations of one formulation.
 struct System {
     /// Name of the formulation.
