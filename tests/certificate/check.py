@@ -5,17 +5,18 @@
 Exit status 0 if every claim holds, else 1 and the reason. docs/certificate.md states the format and what is checked.
 This program decides what must be proved. The certificate supplies multipliers, a prime, and lists to compare with.
 """
-import hashlib, json, math, re, sys, tomllib
+import hashlib, json, math, sys, tomllib
 from pathlib import Path
 from claims import Case
-from formula import Bounds, NextPoint, Refused, Residue, Residues, need
+from formula import Bounds, NextPoint, Refused, Residue, Residues, Scope, expanded, need
 
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError)
 LINES = {frozenset(keys.split()) for keys in (
     "tripos_certificate model", "model_text sha256", "derivation sha256", "combination named multipliers",
-    "reactions named values", "integral value multipliers named is_energy is_momentum_of", "nonzero", "not_certified",
-    "prime witness", "identities")}
+    "reactions named values", "integral value multipliers named is_energy is_momentum_of while_constant", "nonzero",
+    "without_effect along named", "not_certified", "prime witness", "identities")}
 BITS, Q = 64, 2**127 - 1  # A false claim must pass with a chance below 2^-BITS. Q is a prime of Mersenne.
+WINDOW = 22  # Of 2^124 numbers, at most 2^22 lead to the same prime.
 
 
 def check_divisors(cases):
@@ -38,7 +39,7 @@ def check_divisors(cases):
 def check_prime(k, witness, digest):
     """The prime 2 k Q + 1 follows from the hash of the statement, and is a prime by Pocklington's criterion."""
     least = 2**125 + int(digest[:31], 16)
-    need(0 <= k - least + 4 < 2**16 and k < 2**126 and k % 4 == 1, "the prime does not belong to the statement")
+    need(0 <= k - least + 4 < 2**WINDOW and k < 2**126 and k % 4 == 1, "the prime does not belong to the statement")
     p = 2 * k * Q + 1
     is_prime = pow(witness, p - 1, p) == 1 and math.gcd(pow(witness, 2 * k, p) - 1, p) == 1
     need(is_prime, "the prime is not proved to be prime")
@@ -60,14 +61,18 @@ def read_certificate(text):
     need(left_out["not_certified"], "the certificate does not say what it leaves out")
     c |= {"prime": prime["prime"], "witness": prime["witness"], "identities": identities["identities"]}
     c["derivation"] = json.loads(derivation["derivation"], object_pairs_hook=unique)
+    c["model"] = tomllib.loads(model["model_text"])
+    c["model"] = expanded(c["model"], c["model"].pop("counts", {}))
     c["statement"] = digest("".join(line + "\n" for line in lines[:-2]))
     c["integrals"] = [line for line in body if "integral" in line]
     c["reactions"] = [line for line in body if "reactions" in line]
+    c["parameters"] = [line for line in body if "without_effect" in line]
     c["combinations"] = {line["combination"]: line for line in body if "combination" in line}
     c["named"] = {f["formulation"]: f["named"] + f["accelerations"] for f in c["derivation"]["formulations"]}
     c["named"] |= {"multipliers of " + name: line["named"] for name, line in c["combinations"].items()}
     c["named"] |= {"reactions of " + line["reactions"]: line["named"] for line in c["reactions"]}
     c["named"] |= {"integral " + line["integral"]: line["named"] for line in c["integrals"]}
+    c["named"] |= {"parameter " + line["without_effect"]: line["named"] for line in c["parameters"]}
     need(len(c["named"]) == len(c["derivation"]["formulations"]) + len(body), "a line is unknown or given twice")
     check_names(c)
     return c
@@ -79,11 +84,8 @@ def check_names(c):
     kane, lagrange = by.get("kane"), by.get("lagrange")
     need(kane and lagrange, "not checked: a certificate needs Kane's and Lagrange's equations")
     coordinates = lagrange["rows"][:len(kane["coordinate_rates"])]
-    model = tomllib.loads(c["model_text"])
-    stated = {name for section in ("parameters", "inputs", "expressions") for name in model.get(section, {})}
+    stated = {name for section in ("parameters", "inputs", "expressions") for name in c["model"].get(section, {})}
     fixed = {*stated, "pi", *kane["rows"], *coordinates}
-    # Names such as `m{i in 1..3}` stand for several.
-    repeated = re.compile("|".join(re.sub(r"\\\{.*?\\\}", ".+", re.escape(n)) for n in stated if "{" in n) or "(?!)")
     fixed |= {q + "'" for q in coordinates}
     unknowns = {x for f in by.values() for x in f["unknowns"]}
     need(all(len(set(f["unknowns"])) == len(f["unknowns"]) for f in by.values()), "an unknown is given twice")
@@ -93,12 +95,28 @@ def check_names(c):
         solved = {*by[name]["unknowns"], *kane["unknowns"]} if name in by else set()
         written = {term["name"] for term in (by[name]["named"] if name in by else terms)}
         own = {term["name"] for term in terms}
-        need(not any(map(repeated.fullmatch, own)), f"{name}: a named term has the name of a parameter")
         need(all(term.isidentifier() for term in own - solved), f"{name}: a named term has no name")
         need(not written & unknowns and not (own - solved) & (fixed | unknowns | {"t"}),
              f"{name}: a named term has the name of a variable")
+    check_constraints(c["model"], kane, lagrange["rows"][len(coordinates):])
     # Without the clock, the time would be a constant.
     need("t" not in coordinates or kane["coordinate_rates"][coordinates.index("t")] == "1", "the time does not pass")
+
+
+def check_constraints(model, kane, constraints):
+    """Every declared speed is one of the derivation, and every constraint of the derivation is one of the model."""
+    joints, bodies, placed = model.get("joints", {}), model.get("bodies", {}), set()
+    speeds = {*model.get("speeds", {}), *(s for j in joints.values() for s in j.get("speeds", []))} - set(kane["rows"])
+    need(not speeds, f"there is no equation for {', '.join(speeds)}, so that another constraint fixes it")
+    loops = [name for name, j in joints.items() if {"centre", "frame"} <= set(bodies[j["body"]])
+             or j["body"] in placed or placed.add(j["body"])]
+    units = [name for name, f in model.get("frames", {}).items() if "euler_parameters" in f]
+    units += [bodies[j["body"]].get("frame", j["body"] + "_frame") for j in joints.values() if "sequence" in j]
+    ends = [*"123", *(f"turn{i}{k}" for i in "123" for k in "123")]
+    names = {"t", *model.get("constraints", {}), *(f"{name}_norm" for name in units)}
+    names |= {f"{name}_{end}" for name in (*model.get("rolling", {}), *loops) for end in ends}
+    lacking = set(constraints) - {f"constraint {name}" for name in names}
+    need(not lacking, f"the model lacks {', '.join(lacking)}")
 
 
 def unique(pairs):
@@ -115,30 +133,36 @@ def check(text, model=None, derivation=None):
     need(model in (None, c["model_text"]), "the model is another than that of the certificate")
     need(derivation in (None, c["derivation_text"]), "the derivation is another than that of the certificate")
     Residue.P = check_prime(int(c["prime"]), c["witness"], c["statement"])
-    parameters = tomllib.loads(c["model_text"]).get("parameters", {})
+    parameters = c["model"].get("parameters", {})
     positive = {name for name, p in parameters.items() if isinstance(p, dict) and p.get("positive")}
     terms = {term["name"] for named in c["named"].values() for term in named}
     need(not terms & set(parameters), "a named term has the name of a parameter")
-    cases = []
-    for at in range(1000):
+    cases, count, others, Scope.PARTS = [], 0, set(), 1
+    for at in range(5000):
         try:
             case, names = Case(c, Residues(f"{c['statement']} {at}".encode(), positive)), []
             for name, left, right in case.claims():
                 need(left.v == right.v, f"{', '.join(name)}: the sides differ")
                 names.append(list(name))
-        except NextPoint: continue
-        cases.append(case)
-        if len(cases) == 2: break
-    need(len(cases) == 2, "no point was found at which all roots exist")
+        except NextPoint as root:
+            others |= set(root.args)
+            continue
+        cases, count = [*cases, case][:2], count + 1
+        # A root that did not exist where those before it did is none of a square. Others may be, such as √x²: then a
+        # false claim holds for all signs but one of 2^n. The signs are random.
+        squares = len(set(case.domain.roots.values()) - others)
+        if count >= (2 if not squares else BITS / -math.log2(1 - 2**-squares)): break
+    else: raise Refused("too few points were found at which all roots exist")
     need(c["identities"] == names, "the list of identities is not that of the claims")
     check_divisors(cases)
     bounds = Bounds()
     sides = [left - right for _, left, right in Case(c, bounds).claims()]
-    # Circles double degrees, squares for positive symbols double them again, and norms of roots raise them. Of the
-    # primes, 2^117 are possible; the chance that one divides all coefficients is the height / 253 / 2^117 at most.
-    raised = max(len(case.domain.roots) for case in cases) * math.log2(2 * bounds.root_size)
+    # Circles double degrees, squares for positive symbols double them again, and norms of roots raise them. A prime of
+    # 253 bits is drawn with a chance of 2^(WINDOW - 124) at most, and the height / 253 of them divide all coefficients.
+    raised = len(case.domain.roots) * math.log2(2 * bounds.root_size)
     degree, height = (math.log2(max(getattr(x, key) for x in sides) + 1) + 3 + raised for key in "nh")
-    bits = min(252 - degree, 117 + 7 - max(degree, height) - 1)
+    signs = count * -math.log2(1 - 2**-squares) if squares else BITS + 999
+    bits = min(signs, 252 - degree, 124 - WINDOW + 7 - max(degree, height) - 1)
     need(bits >= BITS, f"a false claim could pass with a chance of 2^-{math.floor(bits)}")
     return f"{len(names)} identities hold; a false one would pass with a chance below 2^-{math.floor(bits)}"
 

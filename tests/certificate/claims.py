@@ -7,6 +7,8 @@ class Case:
     """Claims about a derivation, and their values in one domain: residues at a point, or bounds."""
     def __init__(self, certificate, domain):
         self.certificate, self.domain, self.divisors = certificate, domain, {}
+        self.inputs = list(certificate["model"].get("inputs", {}))
+        self.parameters = {*self.inputs, *certificate["model"].get("parameters", {})}
         self.by = {f["formulation"]: f for f in certificate["derivation"]["formulations"]}
         need(len(self.by) == len(certificate["derivation"]["formulations"]), "a formulation is given twice")
         self.kane, lagrange = self.by.get("kane"), self.by.get("lagrange")
@@ -59,6 +61,7 @@ class Case:
         """Every claim, as (name, left, right). Each holds if both sides are the same fraction."""
         scopes = {name: self.scope(name, self.symbols) for name in self.by}
         matrix, force = self.system("kane", scopes["kane"])
+        residual = [self.dot(row, self.free) - b for row, b in zip(matrix, force)]
         if isinstance(self.domain, Residues): self.check_motion(matrix, scopes)
         for name, f in self.by.items():
             m, g = self.system(name, scopes[name])
@@ -69,13 +72,32 @@ class Case:
                 for what in ("kinetic_energy", "potential_energy", "power"):
                     yield (name, what), scopes[name](f[what])[0], scopes["kane"](self.kane[what])[0]
             if f["accelerations"]: yield from self.accelerations(name, maps, count)
+            if name == "kane" and not self.is_driven:
+                rate = add(scopes[name](f["kinetic_energy"]), scopes[name](f["potential_energy"]))[1] or self.zero
+                along = self.dot([self.symbols[s][0] for s in self.speeds], residual)
+                yield ("kane", "power", "rate"), rate, scopes[name](f["power"])[0] + along
         stated = {line["reactions"] for line in self.certificate["reactions"]}
         for name, f in self.by.items():
             is_complete = name in stated or name == "lagrange" or len(f["unknowns"]) == len(self.speeds)
             need(is_complete or not self.kane["accelerations"], f"{name}: the values of the reactions are missing")
         for line in self.certificate["reactions"]: yield from self.reactions(line, line["reactions"])
-        residual = [self.dot(row, self.free) - b for row, b in zip(matrix, force)]
         for i in self.certificate["integrals"]: yield from self.integral(i, residual, scopes["kane"])
+        for line in self.certificate["parameters"]: yield from self.parameter(line)
+
+    def parameter(self, line):
+        """No row of Kane's equations changes if a parameter grows and others change by formulas of parameters."""
+        name, formulas = "parameter " + line["without_effect"], line["along"]
+        need(formulas[line["without_effect"]] == "1" and set(formulas) <= self.parameters, f"{name}: it does not grow")
+        moving = {x: (self.symbols[x][0], self.domain.symbol("rate of " + x)) for x in (*self.coordinates, *self.speeds)}
+        scope = self.scope(name, moving, line["named"])
+        rates = {p: (self.domain.symbol(p), scope(rate)[0]) for p, rate in formulas.items()}
+        if isinstance(self.domain, Residues):
+            slopes = [scope(rate)[1] for rate in formulas.values()]
+            need(not any(x and x.v for x in slopes), f"{name}: a rate contains a variable")
+        scope = self.scope("kane", {x: (v, None) for x, (v, _) in self.symbols.items()} | rates)
+        for row, m, b in zip(self.speeds, self.kane["mass_matrix"], self.kane["forcing"]):
+            rate = self.dot([scope(e)[1] or self.zero for e in m], self.free) - (scope(b)[1] or self.zero)
+            yield (name, row), rate, self.zero
 
     def check_motion(self, matrix, scopes):
         """Kane's mass matrix has full rank, and the rates of the coordinates are Kane's in all formulations."""
@@ -124,10 +146,6 @@ class Case:
         for row, line in zip(self.speeds, maps):
             yield (name, "accelerations", row), self.dot(line, left[:count]), self.dot(line, g[:count])
         for row, a, b in zip(f["rows"][count:], left[count:], g[count:]): yield (name, "accelerations", row), a, b
-        if name == "kane" and not self.is_driven:
-            scope = self.scope(name, self.motion(dict(zip(self.speeds, x))))
-            rate = add(scope(f["kinetic_energy"]), scope(f["potential_energy"]))[1]
-            yield ("kane", "power", "rate"), rate or self.zero, scope(f["power"])[0]
 
     def reactions(self, line, name):
         """Along the motion, the values of the reactions solve every row of their formulation."""
@@ -156,12 +174,22 @@ class Case:
             momentum = self.scope("lagrange", still)(self.by["lagrange"]["kinetic_energy"])[1]
             yield (name, "value"), value, momentum or self.zero
         if isinstance(self.domain, Residues):
-            along = {k: self.domain.random("along", k) for k in (*self.coordinates, *self.speeds)}
-            varied = {k: (self.symbols[k][0], rate) for k, rate in along.items()}
+            def slope(of, varied, value, named):
+                """Slope of a formula if the variables or inputs have the rates `varied`."""
+                symbols = {k: (x[0], varied.get(k)) for k, x in self.symbols.items()}
+                symbols |= {k: (self.domain.symbol(k), x) for k, x in varied.items() if k not in symbols}
+                found = self.scope(of, symbols, named)(value)[1]
+                return found is not None and found.v != 0
+            along = {k: self.domain.random("along", k) for k in (*self.coordinates, *self.speeds, *self.inputs)}
+            inputs = {k for k in self.inputs if slope(name, {k: along[k]}, i["value"], i["named"])}
+            need(inputs == set(i["while_constant"]), f"{name}: it holds only while {', '.join(inputs)} is constant")
+            varied = {k: (self.symbols[k][0], along[k]) for k in (*self.coordinates, *self.speeds)}
             rates = self.rates_at({q: varied[q] for q in self.coordinates}, along)
-            varied |= {q + "'": rate for q, rate in zip(self.coordinates, rates)}
-            rate = self.scope(name, varied, i["named"])(i["value"])[1]
-            need(rate and rate.v, f"{name}: the integral is a constant")
+            varied = {k: x for k, (_, x) in varied.items()} | {q + "'": x[1] for q, x in zip(self.coordinates, rates)}
+            need(slope(name, varied, i["value"], i["named"]), f"{name}: the integral is a constant")
+            speeds = {s: along[s] for s in self.speeds}
+            need(not i["is_momentum_of"] or not slope("lagrange", speeds, self.by["lagrange"]["kinetic_energy"], None),
+                 f"{name}: Lagrange's kinetic energy contains speeds")
 
 
 def rank(matrix):

@@ -11,7 +11,7 @@ can refuse. Exit status 0 if the files are accepted and COUNT tampered ones of e
 """
 import json, random, re, sys
 from check import MALFORMED, Q, check, digest, read, read_certificate
-from formula import Refused
+from formula import SMALL, Refused
 from kinematics import NotChecked, check_model
 
 ERRORS = (Refused, *MALFORMED)
@@ -20,7 +20,8 @@ ERRORS = (Refused, *MALFORMED)
 def proved_prime(statement):
     """The prime that belongs to a statement, as the command finds it."""
     k = (2**125 + int(statement[:31], 16)) // 4 * 4 + 1
-    def suits(p): return p % 3 == 2 and p % 5 in (1, 4) and p % 7 in (3, 5, 6) and pow(3, p - 1, p) == 1
+    def is_square(n, p): return pow(p if n % 4 == 1 else -p, (n - 1) // 2, n) == 1
+    def suits(p): return all(is_square(n, p) for n in SMALL[1:]) and pow(3, p - 1, p) == 1
     while not suits(2 * k * Q + 1): k += 4
     return k
 
@@ -123,6 +124,10 @@ def tampered(text, rng, kind):
         r = rng.choice(line["values"])
         r["value"] = spoilt(r["value"], rng)
         return written(lines, True), "value of a reaction"
+    if "without_effect" in line:
+        name = rng.choice(list(line["along"]))
+        line["along"][name] = spoilt(line["along"][name], rng)
+        return written(lines, True), "rate of a parameter"
     row = line["multipliers"] if "integral" in line else rng.choice(line["multipliers"])
     at = rng.randrange(len(row))
     row[at] = spoilt(row[at], rng)
@@ -143,8 +148,33 @@ def forgeries(text):
         q, rate = by["lagrange"]["rows"][0], by["kane"]["coordinate_rates"][0]
         none = ["0"] * len(by["kane"]["rows"])
         lines.insert(3, {"integral": "idle", "value": f"{q}' - ({rate})", "multipliers": none,
-                         "named": by["kane"]["named"], "is_energy": False, "is_momentum_of": None})
-    by = {f["formulation"]: f for f in json.loads(json.loads(text.split("\n")[2])["derivation"])["formulations"]}
+                         "named": by["kane"]["named"], "is_energy": False, "is_momentum_of": None, "while_constant": []})
+    def signed(lines, by):
+        """A force with the factor √u² / u = ±1."""
+        kane, speed = by["kane"], by["kane"]["rows"][0]
+        row = next(k for k, b in enumerate(kane["forcing"]) if b != "0")
+        kane["forcing"][row] = f"({kane['forcing'][row]})*sqrt({speed}^2)/{speed}"
+        lines[-4]["nonzero"]["kane"].append(speed)
+    def without_values(lines, by):
+        """Other energies in all formulations, and no accelerations or values of reactions that would contradict."""
+        for f in by.values(): f.update(accelerations=[], kinetic_energy=f"7*({f['kinetic_energy']})")
+        lines[3:-4] = [line for line in lines[3:-4] if "combination" in line]
+        lines[-4]["nonzero"] = {name: [] for name in (*by, *(f"multipliers of {name}" for name in by))}
+    def fixed(lines, by):
+        """A coordinate that stands still, by a constraint."""
+        by["lagrange"]["unknowns"].append("hidden"), by["lagrange"]["rows"].append("constraint hidden")
+        for row in by["lagrange"]["mass_matrix"]: row.append("0")
+        by["lagrange"]["mass_matrix"].append(["1"] + ["0"] * len(by["lagrange"]["mass_matrix"][0][1:]))
+        by["lagrange"]["forcing"].append("0")
+    def with_speeds(lines, by):
+        """Lagrange's kinetic energy with a factor that vanishes in every motion."""
+        q = next(line["is_momentum_of"] for line in lines if line.get("is_momentum_of"))
+        at = next(k for k, name in enumerate(by["lagrange"]["rows"]) if name != q)
+        rest = f"{by['lagrange']['rows'][at]}' - ({by['kane']['coordinate_rates'][at]})"
+        by["lagrange"]["kinetic_energy"] += f" + ({rest})*{by['kane']['rows'][0]}"
+        lines[-4]["nonzero"]["lagrange"] += lines[-4]["nonzero"]["kane"]
+    lines = [json.loads(line) for line in text.split("\n") if line]
+    by = {f["formulation"]: f for f in json.loads(lines[2]["derivation"])["formulations"]}
     for name in ("pi", "", by["lagrange"]["unknowns"][0], by["lagrange"]["rows"][0]):
         yield changed(named(name), "a named term has")
     yield changed(lambda lines, _: lines[-4].update(derivation="{}"), "unknown members")
@@ -153,6 +183,16 @@ def forgeries(text):
     yield changed(lambda _, by: by["lagrange"]["coordinate_rates"].__setitem__(0, "77"), "rates of the coordinates")
     yield changed(lambda _, by: by["kane"]["forcing"].__setitem__(0, "2^1000000000"), "exponent")
     yield changed(idle, "is a constant")
+    yield changed(fixed, "the model lacks constraint hidden")
+    if any(b != "0" for b in by["kane"]["forcing"]): yield changed(signed, "the sides differ")
+    if ["kane", "power", "rate"] in lines[-1]["identities"]: yield changed(without_values, "kane, power, rate")
+    if any(line.get("is_momentum_of") for line in lines): yield changed(with_speeds, "kinetic energy contains speeds")
+    for at, line in enumerate(lines):
+        if line.get("while_constant"):
+            yield changed(lambda lines, _, at=at: lines[at].update(while_constant=[]), "it holds only while")
+        for other in set(line.get("along", ())) - {line.get("without_effect")}:
+            doubled = f"2*({line['along'][other]})"
+            yield changed(lambda lines, _, at=at: lines[at]["along"].update({other: doubled}), "parameter ")
 
 
 ONE, SEVERAL = "mass|inertia|stiffness", "diagonal|acceleration|vector|position|centre|at"
@@ -189,13 +229,14 @@ def spoil_models(count, paths):
 
 def main(argv):
     if argv[0] == "models": return spoil_models(int(argv[1]), argv[2:])
-    count, wrong, refused = int(argv[0]), [], {}
+    count, wrong, refused, tried = int(argv[0]), [], {}, []
     sys.setrecursionlimit(20_000)
     for path in argv[1:]:
         text, rng = read(path), random.Random(path.rsplit("/", 1)[-1])
         model = read_certificate(text)["model_text"]
         print(f"{path}: {check(text, model)}")
         for forged, words in forgeries(text):
+            tried.append(words)
             try: wrong.append(f"{path}: accepted instead of `{words}`: {check(forged, model)}")
             except ERRORS as why:
                 if words not in str(why): wrong.append(f"{path}: refused, but not for `{words}`: {why}")
@@ -205,6 +246,7 @@ def main(argv):
             except ERRORS as why: refused.setdefault(what, []).append(str(why))
     for what, reasons in refused.items():
         print(f"{len(reasons)} with a changed {what} are refused, such as: {reasons[0][:90]}")
+    print(f"{len(tried)} forgeries with other names, lines and claims: {', '.join(sorted(set(tried)))}")
     count = sum(map(len, refused.values()))
     print(*wrong, f"{count} tampered certificates are refused, {len(wrong)} accepted", sep="\n")
     return 1 if wrong else 0

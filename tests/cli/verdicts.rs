@@ -159,3 +159,21 @@ fn what_is_not_read_is_said_with_its_reason() {
     let (status, said) = judged("30");
     assert_eq!(status, 0, "{said}");
 }
+
+/// Goal: no two statements of one proof exclude each other. Method: every model with a publication; two formulations
+/// that equal a third one are equal. In `11`, a potential turns with a drive; in `17`, angles are quotients.
+#[test]
+fn proofs_of_equivalence_do_not_contradict_each_other() {
+    let mut folders: Vec<&str> = CASES.iter().map(|case| case.folder).chain(["30", "31", "35"]).collect();
+    folders.sort_unstable();
+    for folder in folders {
+        let model = format!("tests/data/verdicts/{folder}/model.toml");
+        let (status, text, err) = tripos_in(&root(), &["prove", &model, "--json"]);
+        let Ok(proof) = serde_json::from_str::<serde_json::Value>(&text) else { continue };
+        let pairs = proof["pairs"].as_array().unwrap();
+        let is_equal = |pair: &&serde_json::Value| pair["verdict"] == "equal";
+        let of_kane = pairs.iter().filter(|pair| pair["left"] == "kane");
+        assert!(of_kane.clone().all(|pair| is_equal(&pair)), "{folder}: {text} {err}");
+        assert!(pairs.iter().all(|pair| is_equal(&pair)) && status == 0, "{folder}: {text} {err}");
+    }
+}

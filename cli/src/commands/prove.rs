@@ -20,7 +20,7 @@ use tripos_derive::algebra::meaning::compare::{Engine, Verdict, Witness};
 use tripos_derive::algebra::text::print::{print_text, print_whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{LoadDivisor, derive_all};
-use tripos_derive::prove::{Proof, prove as prove_model};
+use tripos_derive::prove::{Integral, Proof, prove as prove_model};
 
 /// Largest length, in bytes, of a reaction's formula that the text shows.
 const LONGEST: usize = 600;
@@ -50,7 +50,7 @@ pub fn prove(
     if let Some((path, format)) = certificate.filter(|_| proof.is_equivalent()) {
         let derivation = derivation_text_in_json(&model)?;
         let text = match format {
-            CertificateFormat::Lines => certificate::certificate_text(&model, &mut derivations, &proof, &derivation),
+            CertificateFormat::Lines => certificate::certificate_text(&model, &mut derivations, &proof, &derivation)?,
             CertificateFormat::Coq => coq::coq_text(&model, &mut derivations, &proof, &derivation.json),
         };
         write_text_file(path, &text)?;
@@ -118,6 +118,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
                 "also": integral.names(model, arena).split_off(1),
                 "expression": print_whole_text(arena, integral.expression),
                 "except_where": integral.divisors(arena).iter().map(|e| format!("{} = 0", print_whole_text(arena, *e))).collect::<Vec<_>>(),
+                "while_constant": inputs_in_integral(model, arena, integral),
                 "verdict": if integral.verdict.is_equal() { "proved" } else { proof_verdict_word(&integral.verdict) },
                 "engine": proof_method_json(&integral.verdict),
             })
@@ -195,6 +196,10 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
             integral.full_name(model, arena),
             print_text(arena, integral.expression)
         );
+        let inputs = inputs_in_integral(model, arena, integral);
+        if !inputs.is_empty() {
+            let _ = writeln!(out, "    while constant: {}", inputs.join(", "));
+        }
         let divisors: Vec<String> =
             integral.divisors(arena).iter().map(|e| format!("{} = 0", print_text(arena, *e))).collect();
         if !divisors.is_empty() {
@@ -209,6 +214,13 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
     let shown: Vec<Expr> =
         formulas_in_proof_report(arena, proof).chain(reactions.filter(|e| is_short_reaction(arena, *e))).collect();
     out + &glossary_text(arena, &shown)
+}
+
+/// Names of the inputs in the value of a first integral. It is conserved only while they are constant.
+pub fn inputs_in_integral(model: &Mechanism, arena: &Arena, integral: &Integral) -> Vec<String> {
+    let parts = arena.reachable(&[integral.expression]);
+    let inputs = model.inputs.iter().filter(|input| input.is_parameter && parts.contains(&input.value));
+    inputs.map(|input| input.name.clone()).collect()
 }
 
 /// True if a reaction's formula is short enough to be shown in the text.

@@ -87,6 +87,8 @@ pub enum CombinationKind {
     /// Rows along rates are the partial velocities with respect to q' times the Newton–Euler
     /// balances, except for constraint forces. Wᵀ cancels these forces.
     ConstraintForces,
+    /// Both formulations are proved equivalent to a third one, without a direct combination of their rows.
+    Through(Formulation),
 }
 
 impl CombinationDescription {
@@ -113,6 +115,9 @@ impl CombinationDescription {
             }
             CombinationKind::PartialVelocitiesOfRates => {
                 format!("{left} = (partial velocities with respect to q') · {right}, the reactions cancel")
+            }
+            CombinationKind::Through(middle) => {
+                format!("{left} and {right} have the same motions, since both have those of {}", middle.method().label)
             }
             CombinationKind::ConstraintForces => format!(
                 "{left} = (partial velocities with respect to q') · {right}, the reactions being Aᵀλ along q', which W \

@@ -75,7 +75,36 @@ pub fn prove_equivalence(
             }));
         }
     }
-    (pairs, prover.reactions.unwrap_or_default())
+    let reactions = prover.reactions.unwrap_or_default();
+    prove_pairs_through_others(&mut pairs);
+    (pairs, reactions)
+}
+
+/// Completes the verdicts by transitivity: if a ⇔ b and b ⇔ c are proved, then a ⇔ c holds with the weaker of both
+/// bounds, and is neither different nor undecided. The direct claim about a and c may be too strong: a potential along
+/// a prescribed motion and its forces need not give the same row there, but only the multiplier of the drive differs.
+fn prove_pairs_through_others(pairs: &mut [EquivalentPair]) {
+    while let Some((at, middle, verdict)) = provable_pair(pairs) {
+        pairs[at].verdict = verdict;
+        pairs[at].map.kind = CombinationKind::Through(middle);
+        pairs[at].combinations.clear();
+    }
+}
+
+/// Finds a pair that is not proved although both of its formulations are proved equivalent to a third one. Returns the
+/// pair's index, the third formulation, and the verdict that follows.
+fn provable_pair(pairs: &[EquivalentPair]) -> Option<(usize, Formulation, Verdict)> {
+    let proved = |a: Formulation, b: Formulation| {
+        let pair = pairs.iter().find(|pair| (pair.left, pair.right) == (a, b) || (pair.left, pair.right) == (b, a));
+        pair.map(|pair| pair.verdict.clone()).filter(Verdict::is_equal)
+    };
+    let open = pairs.iter().enumerate().filter(|(_, pair)| !pair.verdict.is_equal());
+    open.flat_map(|(at, pair)| Formulation::ALL.into_iter().map(move |middle| (at, pair, middle))).find_map(
+        |(at, pair, middle)| {
+            let steps = [proved(pair.left, middle)?, proved(middle, pair.right)?];
+            Some((at, middle, combined_verdict(steps)))
+        },
+    )
 }
 
 /// Result of the proof for a pair of formulations: verdict, proved combinations and their

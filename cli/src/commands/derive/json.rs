@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::solve::elimination::divisors;
-use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::term::steps::{Definition, needed_steps};
 use tripos_derive::mechanics::{DerivationInSteps, LineName, Step};
 
 /// Returns the name of a formulation, and the divisors in its equations, energies and accelerations as text. The text
@@ -22,7 +22,10 @@ pub fn formulation_divisors(SolvedFormulation { derivation, solved }: &SolvedFor
     let values = |list: &[Definition]| list.iter().map(|step| step.value).collect::<Vec<_>>();
     let shown = [formulas_in_derivation(e, steps), values(&e.definitions), values(solved)].concat();
     let writer = FormulaWriter::new(arena, e, &[shown.as_slice(), divided].concat());
-    let computed = [formulas_in_derivation(e, &[]), values(&e.definitions), values(solved)].concat();
+    let stated = e.matrix.iter().flatten().chain(&e.forcing).chain(&e.coordinate_rates);
+    let stated: Vec<Expr> = stated.chain(&[e.kinetic_energy, e.potential_energy, e.power]).copied().collect();
+    let claimed = [stated, values(solved)].concat();
+    let computed = [values(&needed_steps(arena, &e.definitions, &claimed)), claimed].concat();
     (e.formulation.name().to_owned(), writer.texts(&divisors(arena, &computed)))
 }
 

@@ -3,8 +3,10 @@
 //! Each line is a JSON value. The lines before the prime are the statement; their hash determines the prime and the
 //! points of modular proofs, so that nobody can choose them. `docs/certificate.md` states the format.
 
-use super::identities::{IdentityName, derivation_identities, reaction_identities};
+use super::identities::{IdentityName, derivation_identities, parameter_identities, reaction_identities};
+use super::inputs_in_integral;
 use crate::commands::derive::DerivationText;
+use crate::terminal::failure::Failure;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos::Mechanism;
@@ -13,8 +15,9 @@ use tripos_derive::algebra::term::calculus::Substitution;
 use tripos_derive::algebra::text::definitions::definitions_shown;
 use tripos_derive::algebra::text::print::{print_text, print_whole_text};
 use tripos_derive::algebra::value::proved_prime::proved_prime_after;
-use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{Derivations, Formulation};
+use tripos_derive::algebra::{Arena, Expr, Function, Node};
+use tripos_derive::identify::{BaseParameterFactor, Completeness, Identification};
+use tripos_derive::mechanics::{Derivations, Formulation, Regressor, RegressorParameters};
 use tripos_derive::model::text_digest;
 use tripos_derive::prove::{Combination, Integral, IntegralKind, Proof};
 
@@ -22,24 +25,29 @@ use tripos_derive::prove::{Combination, Integral, IntegralKind, Proof};
 const VERSION: u32 = 1;
 
 /// Statements about a model that no certificate contains yet.
-const NOT_CERTIFIED: [&str; 8] = [
+const NOT_CERTIFIED: [&str; 9] = [
     "the kinematics, the loads and the energies of the model: tests/certificate/kinematics.py checks them",
     "entries that only determine a multiplier, and coefficients of t'' = 0",
     "the members steps, count, singular_where and accelerations_divide_by of the derivation",
     "the names of integrals, except energies and momenta of coordinates",
     "that no further first integrals exist",
-    "reductions, redundant constraints and base parameters",
+    "that all other parameters can be identified, in particular inertias that the model does not declare",
+    "reductions and redundant constraints",
     "verdicts on printed derivations",
     "stability, runs and emitted code",
 ];
 
 /// Returns the certificate of the proofs about a model. The proofs must belong to the derivation.
+///
+/// # Errors
+/// `Failure` if a formula is too long, or contains a root of a number that may not exist modulo the prime.
 pub fn certificate_text(
     model: &Mechanism,
     derivations: &mut Derivations,
     proof: &Proof,
     derivation: &DerivationText,
-) -> String {
+) -> Result<String, Failure> {
+    refuse_uncertifiable_formulas(derivations, proof)?;
     let mut identities = derivation_identities(&derivation.value, is_driven(model, derivations));
     let arena = &derivations.kinematics.arena;
     let mut lines = vec![
@@ -71,6 +79,12 @@ pub fn certificate_text(
         identities.extend(integral_identities(&line));
         lines.push(line);
     }
+    for (line, divided) in unidentifiable_parameters(model) {
+        let name = format!("parameter {}", line["without_effect"].as_str().unwrap_or_default());
+        identities.extend(parameter_identities(&derivation.value, &name));
+        nonzero.insert(name, json!(divided));
+        lines.push(line);
+    }
     lines.push(json!({ "nonzero": nonzero }));
     let missing = proof.missing.iter().map(|(formulation, why)| format!("{}: {why}", formulation.name()));
     let left_out: Vec<String> = NOT_CERTIFIED.into_iter().map(str::to_owned).chain(missing).collect();
@@ -83,7 +97,45 @@ pub fn certificate_text(
     for line in [json!({ "prime": prime.cofactor, "witness": prime.witness }), json!({ "identities": identities })] {
         let _ = writeln!(out, "{line}");
     }
-    out
+    Ok(out)
+}
+
+/// Refuses formulas that the checker would refuse although they are true: values of reactions and integrals of more
+/// nodes than a text shows, and square roots of numbers with large prime factors.
+fn refuse_uncertifiable_formulas(derivations: &Derivations, proof: &Proof) -> Result<(), Failure> {
+    let arena = &derivations.kinematics.arena;
+    let reactions = proof.reactions.iter().map(|reaction| (format!("the reaction {}", reaction.name), reaction.value));
+    let integrals = proof.integrals.iter().map(|integral| ("a first integral".to_owned(), integral.expression));
+    let values: Vec<(String, Expr)> = reactions.chain(integrals).collect();
+    if let Some((what, _)) = values.iter().find(|(_, value)| print_whole_text(arena, *value).contains('…')) {
+        let help = "prove the model without `--certificate`: the proofs do not need this formula";
+        return Err(Failure::request(format!("the formula of {what} is too long for a certificate"), help));
+    }
+    let equations = Formulation::STANDARD.into_iter().filter_map(|formulation| derivations.get(formulation));
+    let entries = equations.flat_map(|e| e.matrix.iter().flatten().chain(&e.forcing).chain(&e.coordinate_rates));
+    let formulas: Vec<Expr> = entries.copied().chain(values.into_iter().map(|(_, value)| value)).collect();
+    for part in arena.reachable(&formulas) {
+        let Node::Apply(Function::Sqrt, argument) = *arena.node(part) else { continue };
+        if let Node::Number(value) = arena.node(argument)
+            && !value.small().is_some_and(|(above, below)| [above, below].into_iter().all(is_product_of_small_primes))
+        {
+            let what = format!("no certificate can contain {}", print_text(arena, part));
+            let help = "the checker knows roots of products of primes up to 31: use such numbers, or a parameter";
+            return Err(Failure::request(what, help));
+        }
+    }
+    Ok(())
+}
+
+/// True if no prime factor of a number is above 31.
+fn is_product_of_small_primes(number: i64) -> bool {
+    let mut rest = number;
+    for factor in 2..=31 {
+        while rest != 0 && rest % factor == 0 {
+            rest /= factor;
+        }
+    }
+    rest == 1
 }
 
 /// Returns the name of the formulation whose reactions were solved for. `None` if there are no reactions.
@@ -129,6 +181,37 @@ pub fn gives_kane(combination: &Combination) -> bool {
     !combination.gives.is_in_rates() && !combination.gives.has_reactions()
 }
 
+/// Returns a line for each declared parameter that motions do not determine. If it grows by 1 while others change by
+/// the stated formulas, no force changes. Each line comes with the divisors in its formulas. Parameters whose factors
+/// have no formula are left out, and so are all if the base parameters cannot be found.
+fn unidentifiable_parameters(model: &Mechanism) -> Vec<(Value, Vec<String>)> {
+    let Ok(mut found) = Identification::new(model, RegressorParameters::Declared) else { return Vec::new() };
+    found.ungroup();
+    if !matches!(found.complete, Completeness::Proved(_)) {
+        return Vec::new();
+    }
+    let Regressor { arena, columns, .. } = &mut found.regressor;
+    let (base, mut lines) = (&found.base, Vec::new());
+    for (at, column) in columns.iter().enumerate().filter(|(at, _)| base.iter().all(|b| b.column != *at)) {
+        let factors =
+            base.iter().flat_map(|b| b.with.iter().filter(|(with, _)| *with == at).map(|(_, f)| (b.column, *f)));
+        let factors: Vec<(usize, BaseParameterFactor)> = factors.collect();
+        let exact = factors.iter().map(|(pivot, factor)| match factor {
+            BaseParameterFactor::Exact(e) => Some((*pivot, *e)),
+            BaseParameterFactor::Number(_) | BaseParameterFactor::Unknown => None,
+        });
+        let Some(exact) = exact.collect::<Option<Vec<_>>>() else { continue };
+        let rates: Vec<(usize, Expr)> = exact.into_iter().map(|(pivot, e)| (pivot, arena.neg(e))).collect();
+        let formulas: Vec<Expr> = rates.iter().map(|(_, rate)| *rate).collect();
+        let others =
+            rates.iter().map(|(pivot, rate)| (columns[*pivot].name.clone(), json!(print_whole_text(arena, *rate))));
+        let along: serde_json::Map<String, Value> = others.chain([(column.name.clone(), json!("1"))]).collect();
+        let divided = divisor_texts(arena, &formulas);
+        lines.push((json!({ "without_effect": column.name, "along": along, "named": [] }), divided));
+    }
+    lines
+}
+
 /// Returns the line of a first integral, and the divisors in its formulas.
 fn integral_line(model: &Mechanism, arena: &Arena, integral: &Integral) -> (Value, Vec<String>) {
     let all: Vec<Expr> = std::iter::once(integral.expression).chain(integral.multipliers.iter().copied()).collect();
@@ -140,6 +223,7 @@ fn integral_line(model: &Mechanism, arena: &Arena, integral: &Integral) -> (Valu
         "integral": integral.name(model, arena),
         "is_energy": integral.kinds.contains(&IntegralKind::Energy),
         "is_momentum_of": momentum,
+        "while_constant": inputs_in_integral(model, arena, integral),
         "named": named(arena, &all),
         "value": print_whole_text(arena, integral.expression),
         "multipliers": texts(arena, &integral.multipliers),

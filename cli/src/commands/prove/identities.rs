@@ -33,13 +33,12 @@ pub fn derivation_identities(derivation: &Value, is_driven: bool) -> Vec<Identit
             }
             out.extend(["kinetic_energy", "potential_energy", "power"].map(|what| system.identity(&[what])));
         }
-        if system.solved.is_empty() {
-            continue;
+        if !system.solved.is_empty() {
+            let is_complete = is_kane || system.unknowns.iter().all(|unknown| system.solved.contains(unknown));
+            let (multiplied, count) = if is_complete { (&[][..], 0) } else { (kane.rows.as_slice(), count) };
+            let rows = multiplied.iter().chain(system.rows.iter().skip(count));
+            out.extend(rows.map(|row| system.identity(&["accelerations", row])));
         }
-        let is_complete = is_kane || system.unknowns.iter().all(|unknown| system.solved.contains(unknown));
-        let (multiplied, count) = if is_complete { (&[][..], 0) } else { (kane.rows.as_slice(), count) };
-        let rows = multiplied.iter().chain(system.rows.iter().skip(count));
-        out.extend(rows.map(|row| system.identity(&["accelerations", row])));
         if is_kane && !is_driven {
             out.push(system.identity(&["power", "rate"]));
         }
@@ -56,6 +55,12 @@ pub fn reaction_identities(derivation: &Value, name: &str) -> Vec<IdentityName> 
     }
     let Some(system) = systems.find(|system| system.name == name) else { return Vec::new() };
     system.rows.iter().map(|row| system.identity(&["reactions", row])).collect()
+}
+
+/// Lists the identities that Kane's rows do not change with a parameter. The certificate calls the parameter `name`.
+pub fn parameter_identities(derivation: &Value, name: &str) -> Vec<IdentityName> {
+    let kane = derivation["formulations"].as_array().into_iter().flatten().map(System::new).next();
+    kane.into_iter().flat_map(|kane| kane.rows).map(|row| vec![name.to_owned(), row]).collect()
 }
 
 /// Names in the equations of one formulation.

@@ -11,7 +11,7 @@
 use super::fraction::Fraction;
 use super::polynomial::{LaurentPolynomial, Monomial};
 use super::ring::{GENERATORS, Ring, RingPolynomial, Square};
-use crate::algebra::term::elementary::{angle_atoms, is_exponential};
+use crate::algebra::term::elementary::{angle_atoms, divided_term_by_term, is_exponential, is_plain_angle_atom};
 use crate::algebra::value::zero_test::{has_roots, zero_test_is_proof};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use num_integer::Integer;
@@ -253,12 +253,12 @@ impl Normalizer {
     /// atoms. `None` if the angle has no normal form.
     fn expanded_angle(&mut self, arena: &mut Arena, argument: Expr) -> Option<Vec<(Expr, Rational)>> {
         let atoms = angle_atoms(arena, argument);
-        let plain = |e: &Expr| matches!(arena.node(*e), Node::Symbol(_) | Node::Number(_) | Node::Pi);
-        if atoms.iter().all(|(atom, _)| plain(atom)) {
+        if atoms.iter().all(|(atom, _)| is_plain_angle_atom(arena, *atom)) {
             return Some(atoms);
         }
         let form = self.forms[&argument].clone()?;
         let expanded = self.expression(arena, &form);
+        let expanded = divided_term_by_term(arena, expanded);
         Some(angle_atoms(arena, expanded))
     }
 

@@ -29,7 +29,7 @@ use super::signs::Signs;
 use super::witness::{WitnessRequest, find_witness};
 use crate::algebra::form::normal_form::{Normalizer, Zero};
 use crate::algebra::term::calculus::Substitution;
-use crate::algebra::term::elementary::{angle_atoms, is_exponential};
+use crate::algebra::term::elementary::{angle_atoms, divided_term_by_term, is_exponential, is_plain_angle_atom};
 use crate::algebra::text::print::print_text;
 use crate::algebra::value::zero_test::{ZeroTest, bounded_zero_test, has_roots, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node};
@@ -243,12 +243,12 @@ impl Comparer {
         let mut pairs = Vec::new();
         for part in arena.reachable(&[e]) {
             let Node::Apply(f @ (Function::Sin | Function::Cos), argument) = *arena.node(part) else { continue };
-            let is_plain = |atom: &Expr| matches!(arena.node(*atom), Node::Symbol(_) | Node::Number(_) | Node::Pi);
-            if angle_atoms(arena, argument).iter().all(|(atom, _)| is_plain(atom)) {
+            if angle_atoms(arena, argument).iter().all(|(atom, _)| is_plain_angle_atom(arena, *atom)) {
                 continue;
             }
             if let Some(form) = self.normalizer.normal_form(arena, argument) {
                 let expanded = self.normalizer.expression(arena, &form);
+                let expanded = divided_term_by_term(arena, expanded);
                 pairs.push((part, arena.apply(f, expanded)));
             }
         }
@@ -337,6 +337,9 @@ mod tests {
             ("sqrt(a)*sqrt(a)", "a"),
             ("1/(sqrt(a) - 1)", "(sqrt(a) + 1)/(a - 1)"),
             ("sin((a + b)^2)", "sin(a^2 + 2*a*b + b^2)"),
+            ("sin(a)", "sin(a - b/c)*cos(b/c) + cos(a - b/c)*sin(b/c)"),
+            ("sin((a + b)/c)", "sin(a/c)*cos(b/c) + cos(a/c)*sin(b/c)"),
+            ("sin((a + b)/(2*c))", "sin(a/(2*c))*cos(b/(2*c)) + cos(a/(2*c))*sin(b/(2*c))"),
             ("sin(q + pi/4)*sqrt(2)", "sin(q) + cos(q)"),
             ("9223372036854775807*a*9223372036854775807", "a*9223372036854775807^2"),
         ] {
@@ -355,6 +358,7 @@ mod tests {
             ("cos(q)", "sqrt(1 - sin(q)^2)"),
             ("a", "a + b/10^40"),
             ("sin(q + pi/4)", "sin(q + pi/3)"),
+            ("sin(a - b/c)", "sin(a + b/c)"),
         ] {
             let verdict = compare(left, right);
             let Verdict::Different(witness) = verdict else { panic!("{left} = {right}: {verdict:?}") };

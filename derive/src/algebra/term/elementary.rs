@@ -261,6 +261,37 @@ pub fn angle_atoms(arena: &Arena, argument: Expr) -> Vec<(Expr, Rational)> {
     }
 }
 
+/// True for a number, π, a symbol, or a product of powers of symbols such as r/R. Different ones are independent as
+/// parts of angles.
+pub(in crate::algebra) fn is_plain_angle_atom(arena: &Arena, atom: Expr) -> bool {
+    match arena.node(atom) {
+        Node::Symbol(_) | Node::Number(_) | Node::Pi => true,
+        Node::Product(factors) => factors.iter().all(|(base, _)| arena.symbol_name(*base).is_some()),
+        _ => false,
+    }
+}
+
+/// Writes a sum that is divided by a product of symbols as a sum of quotients, such as θ − r/R for (R θ − r)/R. Other
+/// terms are returned unchanged.
+pub(in crate::algebra) fn divided_term_by_term(arena: &mut Arena, e: Expr) -> Expr {
+    let (quotient, scale) = match arena.node(e) {
+        Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].clone(),
+        _ => (e, Rational::ONE),
+    };
+    let Node::Product(factors) = arena.node(quotient).clone() else { return e };
+    let (sums, symbols): (Vec<_>, Vec<_>) = factors.iter().partition(|(base, _)| arena.symbol_name(*base).is_none());
+    let [(sum, 1)] = sums.as_slice() else { return e };
+    let Node::Sum(constant, terms) = arena.node(*sum).clone() else { return e };
+    let constant = arena.number(constant);
+    let mut quotients = Vec::new();
+    for (term, k) in std::iter::once((constant, Rational::ONE)).chain(terms.iter().cloned()) {
+        let product: Vec<_> = symbols.iter().map(|(base, n)| (*base, *n)).chain([(term, 1)]).collect();
+        let Ok(quotient) = arena.try_product(&product) else { return e };
+        quotients.push((quotient, k.mul(&scale)));
+    }
+    arena.linear_combination(&quotients)
+}
+
 /// Largest whole multiple n of an angle for which sin nq and cos nq are expanded into sin q and cos
 /// q.
 const MOST_TURNS: u64 = 16;

@@ -206,8 +206,8 @@ pub fn has_roots(arena: &Arena, parts: &[Expr]) -> bool {
 /// residue proves that a term is not zero.
 ///
 /// Symbols are independent of one another, of π and of any single transcendental number. So are
-/// sines of base angles and powers of e to base exponents, as long as angles and exponents are
-/// polynomials (Ax 1971). Square roots are evaluated and are not atoms.
+/// sines of base angles and powers of e to base exponents, as long as angles and exponents are sums
+/// of products of powers of symbols, also negative ones (Ax 1971). Square roots are evaluated and are not atoms.
 ///
 /// False if other functions occur. False also for sines of numbers if π occurs outside of angles,
 /// and for multiples of π whose sines are not roots.
@@ -229,7 +229,7 @@ pub fn zero_test_is_proof(arena: &Arena, parts: &[Expr]) -> bool {
                             inside_only.insert(*argument);
                         }
                         Node::Product(factors)
-                            if factors.iter().all(|(base, n)| *n > 0 && arena.symbol_name(*base).is_some()) => {}
+                            if factors.iter().all(|(base, _)| arena.symbol_name(*base).is_some()) => {}
                         _ => return false,
                     }
                 }
