@@ -201,5 +201,44 @@ def substituted(tree, table):
     return tree if kind == "n" else ("f", tree[1], substituted(tree[2], table))
 
 
+def derivative(tree, name):
+    """Derivative with respect to a name; products are differentiated factor by factor."""
+    kind = tree[0]
+    if kind == "n":
+        return num(0)
+    if kind == "s":
+        return num(1 if tree[1] == name else 0)
+    if name not in symbols(tree):
+        return num(0)
+    if kind == "+":
+        return add(*([d for d in (derivative(t, name) for t in tree[1]) if d != num(0)] or [num(0)]))
+    if kind == "*":
+        terms = []
+        for k, f in enumerate(tree[1]):
+            d = derivative(f, name)
+            if d != num(0):
+                rest = [*tree[1][:k], *tree[1][k + 1:]]
+                terms.append(mul(*rest, d) if d != num(1) else mul(*rest) if rest else num(1))
+        return add(*(terms or [num(0)]))
+    if kind == "^":
+        base, e = tree[1], tree[2]
+        return mul(num(e), power(base, e - 1), derivative(base, name)) if e != 1 else derivative(base, name)
+    slope = SLOPES.get(tree[1])
+    if slope is None:
+        raise ZeroDivisionError(f"no derivative of {tree[1]}")
+    return mul(slope(tree[2]), derivative(tree[2], name))
+
+
+SLOPES = {
+    "sin": lambda x: fun("cos", x), "cos": lambda x: neg(fun("sin", x)),
+    "tan": lambda x: add(num(1), power(fun("tan", x), 2)), "exp": lambda x: fun("exp", x),
+    "sec": lambda x: mul(fun("sec", x), fun("tan", x)),
+    "sqrt": lambda x: mul(num(Fraction(1, 2)), power(x, Fraction(-1, 2))),
+    "csc": lambda x: neg(mul(fun("csc", x), fun("cot", x))), "cot": lambda x: neg(power(fun("csc", x), 2)),
+    "log": lambda x: power(x, -1), "tanh": lambda x: add(num(1), neg(power(fun("tanh", x), 2))),
+    "atan": lambda x: power(add(num(1), power(x, 2)), -1),
+}
+
+
 def count(tree):
     return sum(1 for _ in nodes(tree))

@@ -25,7 +25,7 @@ class Judge:
         self.eq = equations(case.mechanism, case.q, case.rates)
         # Accelerations that happen to be 0 are compared by the size of the motion.
         speed = max(map(abs, case.rates.values()), default=0.0)
-        self.scale = float(np.abs(self.eq.accelerations).max(initial=0)) + 1e-4 * (1 + speed**2)
+        self.scale = float(np.abs(self.eq.accelerations).max(initial=0)) + 1e-2 * (1 + speed**2)
         self.tolerance = RELATIVE + PER_CONDITION * self.eq.condition
 
     def compare(self, what, theirs, mine, scale=0.0):

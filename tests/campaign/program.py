@@ -26,7 +26,7 @@ class Answer:
 
 class Program:
     """The program under test."""
-    def __init__(self, path, seconds=20.0):
+    def __init__(self, path, seconds=60.0):
         self.path, self.seconds, self.calls = os.path.abspath(path), seconds, 0
 
     def __call__(self, *arguments):

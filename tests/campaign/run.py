@@ -1,6 +1,6 @@
 """Random cases against an independent program: the measured rate of wrong answers.
 
-    run.py BINARY [--count N] [--seed S] [--kind mechanisms|publications|runs] [--hostile PART] [--saved FOLDER]
+    run.py BINARY [--count N] [--seed S] [--kind mechanisms|publications|runs|expansions] [--hostile PART] [--saved FOLDER]
            [--write FILE] [--only NUMBER]
 
 Each case is drawn from the seed, its kind and its number alone, so that one case can be repeated with `--only`. The
@@ -9,11 +9,11 @@ table gives what became of the cases of each kind. Inputs of wrong answers, pani
 """
 import argparse, os, random, shutil, sys, tempfile, time, warnings
 import numpy as np
-import mechanisms, publications, runs
+import expansions, mechanisms, publications, runs
 from program import Program
 from verdict import OUTCOMES, Outcome, Tally
 
-KINDS = {"mechanisms": mechanisms, "publications": publications, "runs": runs}
+KINDS = {"mechanisms": mechanisms, "publications": publications, "runs": runs, "expansions": expansions}
 KEPT = {"wrong", "panic", "time-out"}
 BEGIN, END = "<!-- campaign -->", "<!-- end of campaign -->"
 
@@ -29,7 +29,7 @@ def arguments():
                         help="folder of kept inputs")
     parser.add_argument("--write", help="renew the paragraph between the two marks of this file")
     parser.add_argument("--only", type=int, help="the case of this number alone, kept whatever becomes of it")
-    parser.add_argument("--seconds", type=float, default=20, help="longest time of one call of the program")
+    parser.add_argument("--seconds", type=float, default=60, help="longest time of one call of the program")
     parser.add_argument("--minutes", type=float, help="begin no case after this time")
     return parser.parse_args()
 
@@ -102,11 +102,10 @@ def paragraph(tallies):
     judged = Tally()
     judged.counts.update(right=counts["right"], wrong=counts["wrong"])
     return (f"Of {total} random cases, Tripos answered {counts['right'] + counts['wrong']} whose truth an independent "
-            f"program knows, with {compared} numbers and verdicts; {counts['wrong']} of these answers were wrong "
-            f"without a warning (a rate below {judged.bound():.1%} at 95 % confidence). Tripos refused "
-            f"{counts['refused']} cases with a reason, left {counts['undecided']} undecided, and had "
-            f"{counts['panic']} panics and {counts['time-out']} time-outs. The truth of {counts['unjudged']} cases is "
-            f"not known.")
+            f"program knows, with {compared} numbers and verdicts. Wrong answers without a warning: {counts['wrong']} "
+            f"(a rate below {judged.bound():.1%} at 95 % confidence). Refused with a reason: {counts['refused']}. "
+            f"Undecided: {counts['undecided']}. Panics: {counts['panic']}. Time-outs: {counts['time-out']}. The truth "
+            f"of {counts['unjudged']} cases is not known.")
 
 
 def renew(path, text):

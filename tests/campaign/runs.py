@@ -136,6 +136,9 @@ def ask(program, scene, *more):
         failure = answer.json.get("failure")
         code = failure.get("code", failure) if isinstance(failure, dict) else failure
         raise Stopped("refused", f"the run stopped: {code or answer.json['stop']}")
+    # Errors that are not assessed are null.
+    answer.json["uncertainty"] = answer.json["uncertainty"] or {}
+    answer.json["sensitivity_uncertainty"] = answer.json.get("sensitivity_uncertainty") or {}
     return answer.json
 
 
@@ -219,7 +222,7 @@ def derivatives(run, answer, motion, wrong):
         numbers += 1
         slope, here = (values[0] - values[1]) / (2 * step), truth(motion.end)
         bend = abs(values[0] + values[1] - 2 * here) / step
-        stated = answer["sensitivity_uncertainty"][run.varied].get(name)
+        stated = (answer["sensitivity_uncertainty"].get(run.varied) or {}).get(name)
         compare(wrong, f"derivative of {name} with respect to {run.varied}", given[name], stated, slope,
                 0.02 * bend + 1e-4 * abs(slope) + 1e-7 / step * (1e-3 + abs(here)))
     return numbers
