@@ -57,13 +57,13 @@ pub use simulation::run_problem::{run_code, run_problem, set_whole_model_energie
 pub use simulation::sampled_inputs::{ControllerSample, HeldSignal, InputDecision, SampledRun};
 pub use simulation::shown_quantities::state_names;
 pub use simulation::simulate::simulate;
+pub use studies::claims::{Claim, ClaimVerdict};
+pub use studies::rigorous_scene::{RigorousRequest, RigorousScene, enclose_scene};
 pub use studies::sensitivity::gradient::{Gradient, gradient};
 pub use studies::sensitivity::{DerivativeInstants, Sensitivities, sensitivities};
 pub use tripos_derive::scene::{AccelerationSolution, Integrator, ProjectionTarget};
 pub use tripos_sim::Method;
-pub use trust::claims::{Claim, ClaimVerdict};
 pub use trust::constraint_residuals::Residual;
 pub use trust::correct_digits::CorrectDigits;
 pub use trust::reference_solution::ReferenceSolution;
-pub use trust::rigorous_scene::{RigorousRequest, RigorousScene, enclose_scene};
 pub use trust::watched_invariants::{ConservedQuantity, Drift, InvariantValues, WatchedInvariants};

@@ -35,8 +35,8 @@ fn boxes_contain_the_exact_motion_of_a_spring() {
     for by in [None, Some("kane"), Some("lagrange")] {
         let found = enclosed(&scene, by, 7, &["x < 0.5 + 1e-6", "x < 0.4", "x > 0"]).unwrap();
         assert_eq!((found.run.end, found.boxes.len()), (RigorousEnd::Reached, 7));
-        for at in 0..7 {
-            let t = Ball::ratio(10 * (at as i64 + 1), 7);
+        for (at, part) in (1..=7).enumerate() {
+            let t = Ball::ratio(10 * part, 7);
             let truth = Ball::<DoubleDouble>::ratio(1, 2) * (t + t).sin_cos().1;
             let x = ball(&found, at, "x");
             assert!(x.contains(truth) && x.radius < 1e-24, "{by:?}, part {at}: {x:?} against {truth:?}");

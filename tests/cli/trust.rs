@@ -104,3 +104,22 @@ fn each_number_stands_beside_its_error() {
     assert!(status == 0 && line.contains(" ± "), "{out}");
     assert!(out.contains("digits are right at the end") && out.contains("a tenth of the tolerances"), "{out}");
 }
+
+/// Goal: no run states a work that it did not watch. Method: a damped mass whose outputs leave the energies out; by
+/// whole equations the work is that of the damper, by reduced ones it is not known.
+#[test]
+fn reduced_equations_state_no_work_that_they_do_not_watch() {
+    let model = crate::support::SLIDER.replace("\"-k*x\"", "\"-k*x - m*1.5*u/(1*m/k)^(1/2)\"");
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("model.toml"), model).unwrap();
+    let scene = "model = \"model.toml\"\nspan = [0, 1]\noutputs = [\"x\"]\n[start]\nx = 1\nu = 0\n";
+    std::fs::write(folder.path().join("scene.toml"), scene).unwrap();
+    let work = |by: &str| {
+        let (status, out, err) =
+            crate::support::tripos_in(folder.path(), &["simulate", "scene.toml", "--by", by, "--json"]);
+        assert_eq!(status, 0, "{err}");
+        serde_json::from_str::<Value>(&out).unwrap()["work"].clone()
+    };
+    assert!(work("kane").as_f64().is_some_and(|work| work < -0.1), "{}", work("kane"));
+    assert!(work("reduced").is_null(), "{}", work("reduced"));
+}

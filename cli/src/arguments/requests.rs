@@ -38,14 +38,8 @@ pub struct Simulate {
     /// an event ends the run, by all parameters and all numbers of the start at once. Whole equations are run
     #[arg(long, value_name = "NAME")]
     pub gradient: Option<String>,
-    /// Enclose the motion instead: boxes that provably contain what is shown, at the number of `samples` of the scene
-    /// and at the end, with all rounding and truncation errors bounded. docs/rigorous.md
-    #[arg(long, conflicts_with_all = ["sensitivity", "gradient", "strict", "method", "solve", "rtol", "atol", "step"])]
-    pub rigorous: bool,
-    /// A claim that --rigorous proves, refutes or leaves open: NAME < NUMBER or NAME > NUMBER, where NAME is a shown
-    /// quantity, at all instants of the run; may be given more than once
-    #[arg(long, requires = "rigorous", value_name = "CLAIM")]
-    pub claim: Vec<String>,
+    #[command(flatten)]
+    pub enclosure: EnclosureOptions,
     /// Write the samples to this file: CSV, or Parquet or Arrow by its ending, as docs/files.md says; one that is
     /// there is replaced if it has one of these endings
     #[arg(long, visible_alias = "out", value_name = "FILE")]
@@ -59,6 +53,19 @@ pub struct Simulate {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// Options of a rigorous run.
+#[derive(clap::Args)]
+pub struct EnclosureOptions {
+    /// Enclose the motion instead: boxes that provably contain what is shown, at the number of `samples` of the scene
+    /// and at the end, with all rounding and truncation errors bounded. docs/rigorous.md
+    #[arg(long, conflicts_with_all = ["sensitivity", "gradient", "strict", "method", "solve", "rtol", "atol", "step"])]
+    pub rigorous: bool,
+    /// A claim that --rigorous proves, refutes or leaves open: NAME < NUMBER or NAME > NUMBER, where NAME is a shown
+    /// quantity, at all instants of the run; may be given more than once
+    #[arg(long, requires = "rigorous", value_name = "CLAIM")]
+    pub claim: Vec<String>,
 }
 
 /// A figure of runs.

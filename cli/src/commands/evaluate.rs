@@ -123,6 +123,10 @@ fn evaluate_equations(
             with_significant_digits(rcond, 2)
         ));
     }
+    let near = near_divisors(model, p, q)?;
+    if !near.is_empty() {
+        warn(&format!("the speeds hardly determine the motion at this state, so that digits are lost{near}"));
+    }
     let (v_dot, others) = x.split_at(system.lengths().variables);
     let mut u_dot = vec![0.0; model.speeds.len()];
     system.generalized_speed_rates(p, q, &v, v_dot, &mut u_dot);

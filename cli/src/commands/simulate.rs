@@ -38,7 +38,7 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
         let existing = if request.overwrite { ExistingFilePolicy::Replaced } else { ExistingFilePolicy::Kept };
         check_csv(path, existing, &model, &scene)?;
     }
-    if request.rigorous {
+    if request.enclosure.rigorous {
         return rigorous::simulate_rigorously(request, &model, &scene, &set, how.by.as_ref());
     }
     interruption::listen_for_interruption();
@@ -125,7 +125,7 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         "stop": solution.stop.code(),
         "failure": run.failure(),
         "drift": drift,
-        "work": run.solution.work_end,
+        "work": is_work_known(run).then_some(run.solution.work_end),
         "impacts": impacts_json(scene, run),
         "residual": run.residuals.iter().map(|r| (r.name.clone(), json!(r.largest))).collect::<Map<_, _>>(),
         "projection": projection_json(run),
@@ -133,6 +133,11 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         "notes": run.notes,
         "warnings": run.warnings,
     })
+}
+
+/// True if the work of the run is known. Reduced equations that do not show the energies do not watch it.
+fn is_work_known(run: &Run) -> bool {
+    !run.by.is_reduced() || run.energy_drift.is_some()
 }
 
 /// Returns the impacts of a run as JSON: times in s, impulses, and energy losses in J.

@@ -51,8 +51,8 @@ pub fn exact_start_speeds<S: Numeric>(model: &Model, exact: StartNumbers<'_, S>)
     }
 }
 
-/// Returns the symbols that have a value at the start of a scene, and their values, in the same order. The symbols are the parameters, coordinates and generalized speeds. The rates q̇
-/// follow if the scene file states rates.
+/// Returns the symbols that have a value at the start of a scene, and their values, in the same order. The symbols are
+/// the parameters, coordinates and generalized speeds. The rates q̇ follow if the scene file states rates.
 ///
 /// # Errors
 /// `Error::Request` if the definition of a speed contains a symbol that has no value at the start.

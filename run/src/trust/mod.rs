@@ -2,13 +2,11 @@
 //!
 //! Every objection states a number. None depends on a clock: the same run gives the same objections.
 
-pub mod claims;
 pub mod compared_quantities;
 pub(super) mod constraint_residuals;
 pub(super) mod correct_digits;
 pub(super) mod load_power;
 pub(super) mod reference_solution;
-pub mod rigorous_scene;
 pub(super) mod stiffness;
 pub(super) mod watched_functions;
 pub(super) mod watched_invariants;

@@ -68,20 +68,10 @@ impl Tube {
 }
 
 impl FlowEnclosure<'_> {
-    /// Taylor coefficients of the motion from a state up to an order, row by row: row k has those of order k.
-    fn taylor<S: Scalar>(&self, series: &dyn Series<S>, p: &[S], order: usize, state: &[S]) -> Vec<S> {
-        let n = state.len();
-        let mut x = vec![S::int(0); (order + 1) * n];
-        x[..n].copy_from_slice(state);
-        let mut work = vec![S::int(0); series.taylor_work(order)];
-        series.taylor(p, order, &mut x, &mut work);
-        x
-    }
-
     /// For each component, true if its rate is the same exact number in all states, like that of the time.
     pub(crate) fn moves_alike(&self, state: &[Ball]) -> Vec<bool> {
         let wide: Vec<Ball<f64>> = state.iter().map(|x| Ball::narrowed(*x).widened(1.0)).collect();
-        let coefficients = self.taylor(self.series.narrow, &self.narrow_parameters, 2, &wide);
+        let coefficients = taylor(self.series.narrow, &self.narrow_parameters, 2, &wide);
         let n = state.len();
         (0..n).map(|at| (1..=2).all(|k| coefficients[k * n + at].radius == 0.0)).collect()
     }
@@ -90,7 +80,7 @@ impl FlowEnclosure<'_> {
     /// step is too long or because the motions may end.
     pub(crate) fn tube(&self, start: &[Ball<f64>], h: f64) -> Option<Tube> {
         let (n, p) = (start.len(), self.order);
-        let coefficients = self.taylor(self.series.narrow, &self.narrow_parameters, p, start);
+        let coefficients = taylor(self.series.narrow, &self.narrow_parameters, p, start);
         let time = Ball::between(0.0, h);
         let mut inner = coefficients[p * n..].to_vec();
         for row in coefficients[..p * n].chunks(n).rev() {
@@ -101,7 +91,7 @@ impl FlowEnclosure<'_> {
         // The rest has room for a small part of the motion's width. It will be far smaller.
         let room = |x: &Ball<f64>| 1e-3 * x.radius + 1e-12 * x.size() + f64::MIN_POSITIVE;
         let bounds: Vec<Ball<f64>> = inner.iter().map(|x| x.widened(room(x))).collect();
-        let mut last = self.taylor(self.series.narrow, &self.narrow_parameters, p + 1, &bounds);
+        let mut last = taylor(self.series.narrow, &self.narrow_parameters, p + 1, &bounds);
         let last = last.split_off((p + 1) * n);
         // Ranges of powers of the time from 0: [0, h^(p + 1)].
         let power = Ball::<f64>::point(h).powi(i32::try_from(p + 1).ok()?).high();
@@ -122,7 +112,7 @@ impl FlowEnclosure<'_> {
     pub(crate) fn advanced(&self, set: &StateSet, h: Ball, rest: &[Ball<f64>]) -> StateSet {
         let (n, p) = (set.centre.len(), self.order);
         let centre: Vec<Ball> = set.centre.iter().map(|c| Ball::point(*c)).collect();
-        let coefficients = self.taylor(self.series.wide, self.parameters, p, &centre);
+        let coefficients = taylor(self.series.wide, self.parameters, p, &centre);
         let mut image: Vec<Ball> = coefficients[p * n..].to_vec();
         for row in coefficients[..p * n].chunks(n).rev() {
             for (x, coefficient) in image.iter_mut().zip(row) {
@@ -146,7 +136,7 @@ impl FlowEnclosure<'_> {
             let state: Vec<Dual<Ball<f64>>> = (bounds.iter().enumerate())
                 .map(|(at, value)| Dual { value: *value, slope: Ball::int(i64::from(at == column)) })
                 .collect();
-            let coefficients = self.taylor(self.series.slopes, &parameters, p, &state);
+            let coefficients = taylor(self.series.slopes, &parameters, p, &state);
             for row in 0..n {
                 let terms = (0..=p).rev().map(|k| coefficients[k * n + row].slope);
                 out[row * n + column] = terms.fold(Ball::point(0.0), |sum, term| term + h * sum);
@@ -154,4 +144,14 @@ impl FlowEnclosure<'_> {
         }
         out
     }
+}
+
+/// Taylor coefficients of the motion from a state up to an order, row by row: row k has those of order k.
+fn taylor<S: Scalar>(series: &dyn Series<S>, p: &[S], order: usize, state: &[S]) -> Vec<S> {
+    let n = state.len();
+    let mut x = vec![S::int(0); (order + 1) * n];
+    x[..n].copy_from_slice(state);
+    let mut work = vec![S::int(0); series.taylor_work(order)];
+    series.taylor(p, order, &mut x, &mut work);
+    x
 }

@@ -113,7 +113,9 @@ fn unit_beside(found: &[Vec<f64>], mut vector: Vec<f64>) -> Option<Vec<f64>> {
     if !(largest > 0.0 && largest.is_finite()) {
         return None;
     }
-    vector.iter_mut().for_each(|x| *x /= largest);
+    for x in &mut vector {
+        *x /= largest;
+    }
     let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
     let before = product(&vector, &vector).sqrt();
     // The second pass removes what rounding left in the first.

@@ -29,7 +29,14 @@ fn drawn<C: Centre>(random: &mut Random, low: f64, high: f64) -> (Ball<C>, BigFl
     // The ball must stay in the domain of the function.
     let room = (middle - low).min(high - middle).max(0.0) * 0.99;
     let radius = radius.min(room);
-    let part = [-1.0, 1.0, 2.0 * random.unit() - 1.0][(random.unit() * 3.0) as usize];
+    let edge = random.unit();
+    let part = if edge < 0.3 {
+        -1.0
+    } else if edge < 0.6 {
+        1.0
+    } else {
+        2.0 * random.unit() - 1.0
+    };
     let offset = BigFloat::from_f64(part, BITS).mul(&BigFloat::from_f64(radius, BITS), BITS, NEAREST);
     (Ball::around(centre, radius), exactly(centre.widen()).add(&offset, BITS, NEAREST))
 }
@@ -41,7 +48,7 @@ fn functions<C: Centre>() -> [Function<C>; 15] {
     [
         ("sin", |x| x.sin_cos().0, |x, c| x.sin(BITS, NEAREST, c), -30.0, 30.0),
         ("cos", |x| x.sin_cos().1, |x, c| x.cos(BITS, NEAREST, c), -30.0, 30.0),
-        ("sin near π", |x| x.sin_cos().0, |x, c| x.sin(BITS, NEAREST, c), 3.1415, 3.1416),
+        ("sin near π", |x| x.sin_cos().0, |x, c| x.sin(BITS, NEAREST, c), 3.13, 3.15),
         ("sqrt", Scalar::sqrt, |x, _| x.sqrt(BITS, NEAREST), 0.0, 50.0),
         ("exp", Scalar::exp, |x, c| x.exp(BITS, NEAREST, c), -40.0, 40.0),
         ("exp near 0", Scalar::exp, |x, c| x.exp(BITS, NEAREST, c), -1.0, 1.0),

@@ -28,7 +28,8 @@ pub fn simulate_rigorously(
 ) -> Result<u8, Failure> {
     let parts = scene.integration.samples.map_or(1, |samples| samples.saturating_sub(1).max(1));
     let options = RigorousOptions::default();
-    let found = enclose_scene(model, scene, &RigorousRequest { by, set, parts, claims: &request.claim, options })?;
+    let found =
+        enclose_scene(model, scene, &RigorousRequest { by, set, parts, claims: &request.enclosure.claim, options })?;
     found.notes.iter().for_each(|note| print_to_stderr(&format!("note: {note}")));
     if request.json {
         print_json(&enclosure_json(model, &found))?;

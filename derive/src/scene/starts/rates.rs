@@ -145,9 +145,25 @@ impl ValueReader<'_, '_> {
         Some(rates)
     }
 
+    /// Rates of all coordinates that were solved for, as numbers. In a wide reading they are balls if these are proved
+    /// to contain the rates.
+    pub(in crate::scene) fn numbers_of_solved_rates(
+        &self,
+        stated: &StatedMotion,
+        parameters: &[Number],
+        q: &[Number],
+        solved: Vec<DoubleDouble>,
+    ) -> Vec<Number> {
+        let enclosed = self.is_wide.then(|| self.enclosed_rates(stated, parameters, q, &solved)).flatten();
+        match enclosed {
+            Some(balls) => balls.into_iter().map(Number::enclosed).collect(),
+            None => solved.into_iter().map(Number::from_double_double).collect(),
+        }
+    }
+
     /// Balls that contain the rates of all coordinates, for rates that were solved for. `None` if this is not proved,
     /// or if there are more conditions than rates.
-    pub(in crate::scene) fn enclosed_rates(
+    fn enclosed_rates(
         &self,
         stated: &StatedMotion,
         parameters: &[Number],

@@ -192,12 +192,7 @@ impl<'a> ValueReader<'a, '_> {
             let solved = self.solve_rates(&stated, parameters, &exact_q, &place)?;
             if by_rates {
                 closed.extend(self.solved_rates(&stated, &solved));
-                let enclosed =
-                    if self.is_wide { self.enclosed_rates(&stated, parameters, &exact_q, &solved) } else { None };
-                rates = match enclosed {
-                    Some(balls) => balls.into_iter().map(Number::enclosed).collect(),
-                    None => solved.into_iter().map(Number::from_double_double).collect(),
-                };
+                rates = self.numbers_of_solved_rates(&stated, parameters, &exact_q, solved);
             }
         }
         let u = if by_rates { self.speeds_of_state(&p, &q, &double_values(&rates)) } else { double_values(&exact_u) };

@@ -103,6 +103,7 @@ pub fn exp(x: Wide) -> Wide {
         sum = Wide::int(1) + rest * sum / Wide::int(k);
     }
     // A power of two is an exact factor.
+    #[expect(clippy::cast_possible_truncation, reason = "between -1011 and 1011")]
     let scale = Wide::from_f64(libm::scalbn(1.0, powers as i32));
     let value = sum.widened(REST) * scale;
     // |e^(m + δ) − e^m| ≤ e^m (e^|δ| − 1) ≤ e^m |δ| (1 + |δ|) for |δ| ≤ 1.

@@ -253,8 +253,8 @@ struct MotionWatch<'a> {
 }
 
 impl MotionWatch<'_> {
-    /// Goes on over a part of a step, between two instants in s after its start. A part that leaves a claim undecided is
-    /// halved up to `halvings` times.
+    /// Goes on over a part of a step, between two instants in s after its start. A part that leaves a claim
+    /// undecided is halved up to `halvings` times.
     fn watch(&mut self, passage: &Passage<'_>, (a, b): (f64, f64), halvings: u32) {
         let time = Ball::between((passage.t + a).next_down(), (passage.t + b).next_up());
         let values = shown(self.system, &self.parameters, time - self.from, &passage.bounds_between(a, b));
