@@ -13,7 +13,7 @@ use tripos_linear::{SingularValues, singular_values};
 
 /// Numbers of random closed poses in a sample. They are tried in turn until dependent and
 /// independent columns of the regressor differ clearly.
-const POSES: [usize; 3] = [12, 24, 48];
+const POSES: [usize; 4] = [12, 24, 48, 96];
 /// Smallest number of regular poses for which relations are accepted.
 const FEWEST: usize = 8;
 /// Number of random states (speeds and accelerations) in each pose of the sample.

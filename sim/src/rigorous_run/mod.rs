@@ -51,7 +51,7 @@ pub enum RigorousEnd {
 pub struct RigorousRun {
     /// Box of the state at each instant that was reached, in the order of the instants.
     pub boxes: Vec<Vec<Ball>>,
-    /// Instant up to which the motion is enclosed, s.
+    /// Instant up to which the motion is enclosed, s; the double nearest to it at an instant of the request.
     pub t_end: f64,
     /// Reason why the run ended.
     pub end: RigorousEnd,
@@ -130,7 +130,7 @@ pub fn enclose(
             let goes_on = observer(&passage);
             set = flow.advanced(&set, step.length, &step.rest);
             t = if step.is_last { *instant } else { t + step.length };
-            run.t_end = t.low();
+            run.t_end = if step.is_last { instant.centre.hi() } else { t.low() };
             h = step.next;
             let too_wide = |x: &Ball| !x.is_defined() || 2.0 * x.radius > options.widest * (1.0 + x.centre.hi().abs());
             if set.bounds().iter().any(too_wide) {

@@ -17,7 +17,7 @@ use crate::model::{ImpossibleBody, Model, StatedInteraction, StatedUnit, Unit, r
 use crate::toml_reader::{Located, TomlReader};
 use rustc_hash::FxHashMap;
 use toml::de::DeTable;
-use tripos_traits::Ball;
+use tripos_traits::{Ball, DoubleDouble};
 
 /// Number of a scene that a sweep may vary: a parameter or a start value, by its index in the
 /// model.
@@ -243,7 +243,11 @@ impl<'a> ValueReader<'a, '_> {
             None if self.is_wide => {
                 let own = self.names.iter().map(|named| named.value.enclosure());
                 let known: Vec<Ball> = enclosed_values(parameters).into_iter().chain(own).collect();
-                Number::enclosed(term.tape.to::<Ball>().evaluate(&known)[0])
+                let centres: Vec<DoubleDouble> = known.iter().map(|x| x.centre).collect();
+                let centre = term.tape.to::<DoubleDouble>().evaluate(&centres)[0];
+                // Without a bound on a parameter there is a value, but no bound on it.
+                let gap = (term.tape.to::<Ball>().evaluate(&known)[0] - Ball::point(centre)).size();
+                Number::enclosed(Ball { centre, radius: if gap.is_finite() { gap } else { f64::INFINITY } })
             }
             None => Number::rounded(value),
         };
