@@ -36,7 +36,7 @@ fn says(run: &Run, what: &str) -> bool {
 /// sample, and its energy.
 #[test]
 fn bricards_mechanism_goes_on_where_its_speed_fails() {
-    let text = library("bricard/scenes/let_go.toml").replace("span = [0, 1]", "span = [0, 6]");
+    let text = library("bricard/scenes/let_go.toml").replace("span = [0, 0.4]", "span = [0, 6]");
     let scene = scene(&library("bricard/model.toml"), &text);
     for formulation in ["kane", "newton-euler"] {
         let run = by(&scene, formulation, None);
