@@ -28,12 +28,12 @@ pub struct ClaimVerdict {
     pub proved_to: Option<f64>,
     /// Instant by which the claim is proved to be false, s; `None` if it is not proved to be false.
     pub refuted_by: Option<f64>,
-    /// True once the claim was not proved over some time.
-    is_open: bool,
+    /// True once the claim was not proved over some time, or if the enclosure ended before the span.
+    pub(super) is_open: bool,
 }
 
 impl ClaimVerdict {
-    /// True if the claim is proved over all of the motion that was enclosed.
+    /// True if the claim is proved over the whole span of the scene.
     #[must_use]
     pub fn is_proved(&self) -> bool {
         !self.is_open && self.proved_to.is_some()

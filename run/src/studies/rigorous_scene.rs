@@ -10,6 +10,7 @@ use crate::equations_name::{EquationsName, find_equations_or_first};
 use crate::error::Error;
 use crate::interpreted_equations::InterpretedEquations;
 use crate::mechanism::Mechanism;
+use crate::observer::Observer;
 use crate::preparation::exact_start::{StartNumbers, exact_start_speeds};
 use crate::preparation::reduced_equations::enclosed_reduced_start;
 use crate::simulation::shown_quantities::state_names;
@@ -17,7 +18,7 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{EquationsOrigin, has_reducible_form};
 use tripos_derive::reduce::ReductionBasis;
 use tripos_derive::scene::{EnclosedScene, InitialMotion, Scene, enclosed_scene};
-use tripos_sim::rigorous_run::{Passage, RigorousOptions, RigorousRun, SeriesInBalls, enclose};
+use tripos_sim::rigorous_run::{Passage, RigorousEnd, RigorousOptions, RigorousRun, SeriesInBalls, enclose};
 use tripos_traits::{Ball, Derivative, Dual, Interval, Scalar, System};
 
 /// Number of parts of a step over which ranges are bounded one by one.
@@ -143,6 +144,8 @@ struct EnclosedProblem {
     parameters: Vec<Ball>,
     /// State of the equations at the start.
     start: Vec<Ball>,
+    /// Observer of the mechanism, who may end the run.
+    follow: Observer,
 }
 
 /// Reduced equations of a scene without a moving frame, with their start.
@@ -163,7 +166,8 @@ fn reduced_problem(mechanism: &Mechanism, scene: &Scene, numbers: &EnclosedScene
     let [parameters, q, v] = enclosed_reduced_start(&reduction, mechanism, &numbers.start)?;
     let names = scene.outputs.iter().map(|output| output.name.clone()).collect();
     let tapes = solved_scene_tapes(&reduction)?;
-    Ok(EnclosedProblem::new(EquationsOrigin::Reduced, names, &tapes, parameters, [q, v].concat()))
+    let follow = mechanism.follow.clone();
+    Ok(EnclosedProblem::new(EquationsOrigin::Reduced, names, &tapes, parameters, [q, v].concat(), follow))
 }
 
 /// Equations of the whole model, with their start.
@@ -182,7 +186,8 @@ fn whole_problem(
     let mut v = vec![Ball::int(0); wide.lengths().variables];
     wide.motion_variables(&start.parameters, &start.q, &u, &mut v);
     let state = [start.q.clone(), v].concat();
-    Ok(EnclosedProblem::new(by.clone(), state_names(mechanism), &tapes, start.parameters.clone(), state))
+    let follow = mechanism.follow.clone();
+    Ok(EnclosedProblem::new(by.clone(), state_names(mechanism), &tapes, start.parameters.clone(), state, follow))
 }
 
 impl EnclosedProblem {
@@ -193,9 +198,10 @@ impl EnclosedProblem {
         tapes: &InterpretedEquations,
         parameters: Vec<Ball>,
         start: Vec<Ball>,
+        follow: Observer,
     ) -> Self {
         let (wide, narrow) = (Derivative(tapes.convert_to()), Derivative(tapes.convert_to()));
-        Self { by, names, wide, narrow, slopes: Derivative(tapes.convert_to()), parameters, start }
+        Self { by, names, wide, narrow, slopes: Derivative(tapes.convert_to()), parameters, start, follow }
     }
 
     /// Encloses the motion at equal parts of the span, the shown quantities over the whole span, and judges claims.
@@ -224,10 +230,13 @@ impl EnclosedProblem {
                 let after = |part: usize| passage.h * (part as f64 / PARTS as f64);
                 watch.watch(passage, (after(part), after(part + 1).next_up()), HALVINGS);
             }
-            true
+            !self.follow.is_interrupted()
         };
         let run = enclose(series, &self.parameters, from, &self.start, &instants, &request.options, observe);
-        let MotionWatch { ranges, verdicts, .. } = watch;
+        let MotionWatch { ranges, mut verdicts, .. } = watch;
+        if run.end != RigorousEnd::Reached {
+            verdicts.iter_mut().for_each(|verdict| verdict.is_open = true);
+        }
         let boxes = run.boxes.iter().zip(&instants);
         let boxes = boxes.map(|(state, t)| shown(&self.wide.0, &self.parameters, *t - from, state)).collect();
         let t = instants.iter().take(run.boxes.len()).map(|t| t.centre.hi()).collect();

@@ -78,12 +78,6 @@ impl Passage<'_> {
     pub fn bounds_between(&self, from: f64, to: f64) -> Vec<Ball<f64>> {
         self.tube.bounds_between(from, to)
     }
-
-    /// Box that contains the state at all instants of the step.
-    #[must_use]
-    pub fn bounds(&self) -> &[Ball<f64>] {
-        &self.tube.bounds
-    }
 }
 
 /// Encloses the motion that begins in the box `start` at the instant `t0`, s, at each of the given `instants`,

@@ -4,6 +4,7 @@ use super::write_table_file;
 use crate::arguments::Simulate;
 use crate::files::workspace::short_name;
 use crate::terminal::failure::{Failure, print, print_json, print_to_stderr, status};
+use crate::terminal::interruption;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
@@ -15,7 +16,7 @@ use tripos_sim::rigorous_run::{RigorousEnd, RigorousOptions};
 use tripos_traits::{Ball, DoubleDouble, Scalar};
 
 /// Encloses the motion of a scene, and prints the box at the end, the ranges and the claims. Returns the exit status:
-/// 1 if a claim is not proved, 3 if the enclosure ends before the span.
+/// 1 if a claim is not proved, 3 if the enclosure ends before the span, 130 if the user interrupts it.
 ///
 /// # Errors
 /// `Failure` if the scene cannot be enclosed, or if the output cannot be printed or written.
@@ -28,6 +29,7 @@ pub fn simulate_rigorously(
 ) -> Result<u8, Failure> {
     let parts = scene.integration.samples.map_or(1, |samples| samples.saturating_sub(1).max(1));
     let options = RigorousOptions::default();
+    interruption::listen_for_interruption();
     let found =
         enclose_scene(model, scene, &RigorousRequest { by, set, parts, claims: &request.enclosure.claim, options })?;
     found.notes.iter().for_each(|note| print_to_stderr(&format!("note: {note}")));
@@ -44,7 +46,11 @@ pub fn simulate_rigorously(
         print_to_stderr(&end_in_words(&found));
     }
     let is_proved = found.claims.iter().all(|(_, verdict)| verdict.is_proved());
-    Ok(if ends_early { status::STOPPED } else { u8::from(!is_proved) * status::NO })
+    Ok(match found.run.end {
+        RigorousEnd::Interrupted => status::INTERRUPTED,
+        _ if ends_early => status::STOPPED,
+        _ => u8::from(!is_proved) * status::NO,
+    })
 }
 
 /// Indices of the quantities that are shown: all except the time.
@@ -141,9 +147,9 @@ fn ball_in_words(ball: Ball) -> String {
     if !ball.is_defined() {
         return "no bound".to_owned();
     }
-    // The double nearest to the centre is exact in 17 digits; what it leaves out is added to the bound.
+    // The shortest decimals of a double differ from it by less than half a unit in its last place.
     let nearest = ball.centre.hi();
-    let rest = (Ball::point(ball.centre) - Ball::from_f64(nearest)).size() + ball.radius;
+    let rest = (Ball::point(ball.centre) - Ball::from_f64(nearest)).size() + ball.radius + f64::EPSILON * nearest.abs();
     if rest > 1e-14 * nearest.abs() {
         return format!("{nearest} ± {}", rounded_up(rest * (1.0 + 4.0 * f64::EPSILON)));
     }
@@ -174,7 +180,7 @@ fn verdict_in_words(verdict: ClaimVerdict) -> String {
     let shown = |t: f64| with_significant_digits(t, 6);
     let to = verdict.proved_to.map_or_else(String::new, |t| format!(", and proved up to t = {} s", shown(t)));
     match (verdict.is_proved(), verdict.refuted_by) {
-        (true, _) => "proved at all instants that were reached".to_owned(),
+        (true, _) => "proved at all instants".to_owned(),
         (false, Some(t)) => format!("proved to be false at an instant before t = {} s{to}", shown(t)),
         (false, None) => format!("not proved and not refuted{to}"),
     }
