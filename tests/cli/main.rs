@@ -12,6 +12,7 @@ mod checks;
 mod command_line;
 mod differences;
 mod documents;
+mod driven_potentials;
 mod edited_model;
 mod emit;
 mod excite;

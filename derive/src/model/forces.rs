@@ -58,9 +58,12 @@ pub struct Torque {
 pub struct Potential {
     /// Name of the potential in the model file.
     pub name: String,
-    /// Energy V, J, as a term in parameters, q and t. It adds −∂V/∂q to the generalized forces of the coordinates.
-    /// Time gets no such force.
+    /// Energy V, J, as a term in parameters, q and t. It adds −∂V/∂q to the generalized forces of the coordinates. Time
+    /// gets the force −(∂V/∂t − `explicit_rate`), by which the potential acts on a drive that moves its places.
     pub energy: Expr,
+    /// Derivative ∂V/∂t, W, of the formula in the file with the positions that it names held fixed. No force does the
+    /// work of this part.
+    pub explicit_rate: Expr,
 }
 
 /// Force or torque between bodies that replaces a potential in the Newton–Euler equations.

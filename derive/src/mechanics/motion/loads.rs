@@ -14,7 +14,7 @@ use crate::algebra::value::zero_test::{ZeroTest, zero_divisor, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Dots, Vector};
 use crate::mechanics::derive_error::DeriveError;
-use crate::model::{Body, ForcePlace, Model, NamedVelocity, ReactionKind};
+use crate::model::{Body, ForcePlace, Model, NamedVelocity, Potential, ReactionKind};
 
 /// Force or torque with the velocity on which it does work. Its generalized force is F_r =
 /// ∂velocity/∂u_r · scale load.
@@ -145,25 +145,33 @@ impl Kinematics {
             groups.push(loads);
         }
         for potential in &model.potentials {
-            groups.push(self.loads_of_potential(model, velocities, potential.energy));
+            groups.push(self.loads_of_potential(model, velocities, potential));
         }
         let load = |(velocity, load)| Load { velocity, scale: Expr::ONE, load };
         groups.into_iter().map(|loads| loads.into_iter().map(load).collect()).collect()
     }
 
-    /// Loads of a potential energy V: the generalized force −∂V/∂q of each coordinate except time, paired with the
-    /// velocity q̇. Both are written along axis 0 of the inertial frame.
-    fn loads_of_potential(&mut self, model: &Model, velocities: &Velocities, energy: Expr) -> Vec<(Vector, Vector)> {
+    /// Loads of a potential energy V: the generalized force −∂V/∂q of each coordinate, paired with the velocity q̇. The
+    /// force of time leaves out the explicit part of ∂V/∂t. Both are written along axis 0 of the inertial frame.
+    fn loads_of_potential(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        potential: &Potential,
+    ) -> Vec<(Vector, Vector)> {
         let time = model.time();
-        let slopes = Gradient::new(&model.q()).apply(&mut self.arena, energy);
+        let slopes = Gradient::new(&model.q()).apply(&mut self.arena, potential.energy);
         let along = |e: Expr| Vector::in_frame(0, [e, Expr::ZERO, Expr::ZERO]);
-        let own = slopes.iter().filter(|(at, _)| Some(*at) != time);
-        own.map(|(at, slope)| {
-            let force = self.arena.neg(*slope);
+        let mut loads = Vec::new();
+        for (at, slope) in slopes.iter() {
+            let explicit = if Some(*at) == time { potential.explicit_rate } else { Expr::ZERO };
+            let force = self.arena.sub(explicit, *slope);
             let force = self.simplifier.simplify(&mut self.arena, force);
-            (along(velocities.rates[*at]), along(force))
-        })
-        .collect()
+            if force != Expr::ZERO {
+                loads.push((along(velocities.rates[*at]), along(force)));
+            }
+        }
+        loads
     }
 
     /// Sets `forces` and `torques` to the applied loads of the model. Velocities that a load names are replaced by

@@ -446,7 +446,7 @@ impl Elements {
             }
         }
         let energies = self.forces.iter_mut().flat_map(|f| f.energy.iter_mut().chain(f.damper.iter_mut().flatten()));
-        for energy in energies.chain(self.potentials.iter_mut().map(|p| &mut p.energy)) {
+        for energy in energies.chain(self.potentials.iter_mut().flat_map(|p| [&mut p.energy, &mut p.explicit_rate])) {
             *energy = map(*energy);
         }
         let vectors = self.forces.iter_mut().map(|f| &mut f.vector);

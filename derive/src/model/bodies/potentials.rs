@@ -50,11 +50,14 @@ impl<'a> Loading<'a> {
         stated: Vec<StatedPotential>,
     ) -> Vec<Potential> {
         let time = self.arena.find_symbol(crate::model::TIME);
+        let mut along_time = Gradient::new(&time.into_iter().collect::<Vec<_>>());
         let mut coordinates = self.names.symbols_of(&[NameKind::Coordinate]);
         coordinates.retain(|symbol| Some(*symbol) != time);
         let mut along = Gradient::new(&coordinates);
         let mut list = Vec::new();
         for StatedPotential { name, energy, span } in stated {
+            let explicit = along_time.apply(&mut self.arena, energy).iter().map(|(_, slope)| *slope).next();
+            let explicit_rate = put.apply(&mut self.arena, explicit.unwrap_or(Expr::ZERO));
             let energy = put.apply(&mut self.arena, energy);
             if let Some(term) = put.undefined {
                 let term = crate::algebra::text::print::print_text(&self.arena, term);
@@ -64,7 +67,7 @@ impl<'a> Loading<'a> {
                 let message = format!("potential `{}` depends on no coordinate: it exerts nothing", name.text);
                 self.reader.error(span, message, "name a coordinate, a position or a distance that changes");
             } else {
-                list.push(Potential { name: name.text, energy });
+                list.push(Potential { name: name.text, energy, explicit_rate });
             }
         }
         list

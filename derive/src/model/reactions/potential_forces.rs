@@ -43,13 +43,17 @@ impl Model {
         let relative = RelativeMotion { model: self, drawn, ways_if_open: None };
         // The potential V no longer contains coordinates that closing joints determine.
         let own: Vec<usize> = relative.own_motions().filter(|at| *at < self.coordinates.len()).collect();
-        let along_rates =
-            relative.potential_force_axes(own.len(), |velocity| own.iter().map(|at| velocity(*at)).collect());
-        let found = match along_rates {
-            Some(independent_axes) => {
-                let rates: Vec<Expr> = own.iter().map(|at| self.coordinates[*at].rate).collect();
-                self.efforts_along(&independent_axes, &rates, &mut Substitution::new(&[]))
-            }
+        let along = |motions: &[usize]| {
+            let listed = |velocity: &dyn Fn(usize) -> VectorResidues| motions.iter().map(|at| velocity(*at)).collect();
+            let independent_axes = relative.potential_force_axes(motions.len(), listed)?;
+            let rates: Vec<Expr> = motions.iter().map(|at| self.coordinates[*at].rate).collect();
+            self.efforts_along(&independent_axes, &rates, &mut Substitution::new(&[]))
+        };
+        // Along a drive, too, the forces must do the work of the potential. A drive may turn about the axis of a joint,
+        // so that no forces of the joints tell the two apart.
+        let with_time = self.time().map(|time| own.iter().copied().chain([time]).collect::<Vec<_>>());
+        let found = match with_time.and_then(|motions| along(&motions)).or_else(|| along(&own)) {
+            Some(found) => Some(found),
             None => {
                 let rates = self.q_dot().into_iter().zip(self.kinematic_equations.rates.iter().copied());
                 let mut to_speeds = Substitution::new(&rates.collect::<Vec<_>>());
@@ -93,7 +97,8 @@ impl Model {
             let component = frames.component(&mut arena, &velocity, *frame, *axis);
             columns.push(slopes(&mut arena, component));
         }
-        let power = self.potential_power(&mut arena);
+        let with_time = self.time().is_some_and(|time| variables.contains(&self.coordinates[time].rate));
+        let power = self.potential_power(&mut arena, with_time);
         let right: Vec<Vec<Expr>> = slopes(&mut arena, power).into_iter().map(|e| vec![e]).collect();
         let matrix: Vec<Vec<Expr>> =
             (0..variables.len()).map(|row| columns.iter().map(|column| column[row]).collect()).collect();
@@ -109,16 +114,23 @@ impl Model {
         Some((arena, efforts))
     }
 
-    /// Power −∂V/∂q · q̇ of all potentials, W, as a term. The time coordinate is left out, since a potential exerts
-    /// no force on it.
-    fn potential_power(&self, arena: &mut Arena) -> Expr {
+    /// Power of the forces of all potentials, W, as a term: −∂V/∂q · q̇ and, with time, what they do along a drive.
+    fn potential_power(&self, arena: &mut Arena, with_time: bool) -> Expr {
         let energies: Vec<Expr> = self.potentials.iter().map(|potential| potential.energy).collect();
         let energy = arena.sum(&energies);
         let time = self.time();
-        let own = self.coordinates.iter().enumerate().filter(|(at, _)| Some(*at) != time);
+        let own = self.coordinates.iter().enumerate().filter(|(at, _)| with_time || Some(*at) != time);
         let rates: Vec<(Expr, Expr)> = own.map(|(_, c)| (c.symbol, c.rate)).collect();
         let growth = Differential::along(&rates).apply(arena, energy);
-        arena.neg(growth)
+        let explicit: Vec<Expr> = self.potentials.iter().map(|potential| potential.explicit_rate).collect();
+        let explicit = arena.sum(&explicit);
+        match time.filter(|_| with_time) {
+            Some(time) => {
+                let explicit = arena.mul(explicit, self.coordinates[time].rate);
+                arena.sub(explicit, growth)
+            }
+            None => arena.neg(growth),
+        }
     }
 
     /// Velocity at which a reaction does work: velocity of the body on which the reaction acts, relative to the body
