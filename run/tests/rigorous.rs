@@ -63,8 +63,9 @@ fn boxes_contain_the_exact_motion_of_a_spring() {
     }
 }
 
-/// Goal: boxes contain the certified states. Method: references in 32 digits by another integrator, whose stated error is
-/// added to the radius ten times. A reference rounds speeds such as 2.02 sqrt(g/l) to doubles; the boxes get the same.
+/// Goal: boxes contain the certified states. Method: references in 32 digits by another integrator, whose stated error
+/// is added to the radius ten times. A reference rounds speeds such as 2.02 sqrt(g/l) to doubles; the boxes get the
+/// same.
 #[test]
 fn boxes_contain_the_references() {
     for (path, widest) in [

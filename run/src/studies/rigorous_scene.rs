@@ -235,7 +235,9 @@ impl EnclosedProblem {
         let run = enclose(series, &self.parameters, from, &self.start, &instants, &request.options, observe);
         let MotionWatch { ranges, mut verdicts, .. } = watch;
         if run.end != RigorousEnd::Reached {
-            verdicts.iter_mut().for_each(|verdict| verdict.is_open = true);
+            for verdict in &mut verdicts {
+                verdict.is_open = true;
+            }
         }
         let boxes = run.boxes.iter().zip(&instants);
         let boxes = boxes.map(|(state, t)| shown(&self.wide.0, &self.parameters, *t - from, state)).collect();
