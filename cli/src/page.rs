@@ -16,8 +16,8 @@ mod print;
 mod scenes;
 
 pub use content::{
-    Advice, Figure, MotionFigure, Page, RecommendedRun, ReducedEquationsContent, RunRow, SceneFact, SceneSection,
-    SingularityDistances, SketchPicture, Standing, Viewer,
+    Advice, ClaimOutcome, ClaimRow, Figure, MotionFigure, Page, RecommendedRun, ReducedEquationsContent, RunRow,
+    SceneFact, SceneSection, SingularityDistances, SketchPicture, Standing, Viewer,
 };
 pub use markup::html::{escape, rounded_number_html};
 

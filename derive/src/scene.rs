@@ -29,12 +29,13 @@ pub use motions::measurements::MeasuredTable;
 pub use motions::motion_samples::load_samples;
 pub use motions::prescribed_motion::{Formulas, Motion, MotionForm, MotionSample, load_motion};
 pub use numbers::number_reader::NamedNumber;
+pub use settings::claims::{DETERMINANT, SceneClaim, load_claim};
 pub use settings::impacts::{ContactFriction, ImpactContact, ImpactLaw};
 pub(crate) use settings::integration::SOLVES;
 pub use settings::integration::{
     AccelerationSolution, Integration, Integrator, ProjectionTarget, SAMPLES, STEP_LIMITS,
 };
-pub use settings::outputs::{ENERGIES, load_output};
+pub use settings::outputs::{ENERGIES, default_outputs, load_output};
 pub use starts::enclosed_scene::{EnclosedScene, enclosed_scene};
 pub use starts::loops::{DependentLoop, Loops};
 pub use starts::start::{EnclosedStart, ExactStart, InitialMotion, SolvedVariable};
@@ -151,6 +152,8 @@ pub struct Scene {
     /// Indices of the parameters that stay symbols in the scene's reduced equations, because runs
     /// vary these parameters.
     pub free: Vec<usize>,
+    /// Claims about the motion, for rigorous runs.
+    pub claims: Vec<SceneClaim>,
     /// Events to detect during the run.
     pub events: Vec<SceneEvent>,
     /// Contacts at which bodies can meet and part during the run.
@@ -160,7 +163,7 @@ pub struct Scene {
 }
 
 /// Keys of a scene file at its top level.
-const KEYS: [&str; 16] = [
+const KEYS: [&str; 17] = [
     "schema",
     "model",
     "title",
@@ -174,6 +177,7 @@ const KEYS: [&str; 16] = [
     "span",
     "integration",
     "outputs",
+    "claims",
     "events",
     "impacts",
     "figures",
@@ -182,7 +186,8 @@ const KEYS: [&str; 16] = [
 /// True if a text is a scene file: it has a top-level key that no other file format has.
 #[must_use]
 pub fn is_scene(source: &Source) -> bool {
-    const OWN: [&str; 8] = ["start", "span", "integration", "outputs", "events", "impacts", "figures", "ladder"];
+    const OWN: [&str; 9] =
+        ["start", "span", "integration", "outputs", "claims", "events", "impacts", "figures", "ladder"];
     TomlReader::parse(source).is_ok_and(|(_, table)| OWN.iter().any(|key| table.get_ref().contains_key(*key)))
 }
 
@@ -220,6 +225,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     let numbers = values.scene_numbers(table);
     let ladder = values.ladder(table, &numbers.p, &numbers.start.exact);
     let (outputs, states_outputs) = values.outputs(table);
+    let claims = values.scene_claims(table, &outputs);
     let free = values.free_parameters(table);
     let events = values.scene_events(table);
     let impacts = values.impacts(table, &numbers.coefficients);
@@ -244,6 +250,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
         outputs,
         states_outputs,
         free,
+        claims,
         events,
         impacts,
         figures,

@@ -36,6 +36,15 @@ impl Located {
     pub fn part(&self, range: Range<usize>) -> Range<usize> {
         if self.exact { self.span.start + range.start..self.span.start + range.end } else { self.span.clone() }
     }
+
+    /// Bytes `range` of the text without white space at their ends, with their place.
+    #[must_use]
+    pub fn trimmed(&self, range: Range<usize>) -> Self {
+        let part = &self.text[range.clone()];
+        let start = range.start + (part.len() - part.trim_start().len());
+        let text = part.trim().to_owned();
+        Self { span: self.part(start..start + text.len()), text, exact: self.exact }
+    }
 }
 
 /// Entry of a TOML table: the key with its place, and the value with its place.

@@ -257,6 +257,14 @@ impl InterpretedEquations {
     }
 }
 
+impl<S> InterpretedEquations<S> {
+    /// Number of products of series in the Taylor recurrences, which tells the cost of a Taylor step; 0 if the
+    /// equations have no recurrences.
+    pub fn series_products(&self) -> usize {
+        self.series.as_ref().map_or(0, |series| series.recurrences().convolutions())
+    }
+}
+
 impl<S: Numeric> InterpretedEquations<S> {
     /// True if the equations have a tape for this quantity.
     fn has(&self, part: InterpretedQuantity) -> bool {

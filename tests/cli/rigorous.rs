@@ -30,13 +30,13 @@ fn boxes_ranges_and_claims_are_printed() {
         tripos_in(folder.path(), &[&["simulate", "scene.toml", "--rigorous"][..], &claims].concat());
     assert_eq!(status, 1, "a claim is false: {err}");
     let ranges: Vec<&str> = out.lines().skip_while(|line| !line.starts_with("proved for all t")).collect();
-    expect![[r"
+    expect![[r#"
         proved for all t from 0 s to 3.14159 s
           x is between -1.00235 and 1.00034
           u is between -1.00543 and 8.88732e-4
 
         x < 1.001: proved at all instants
-        u > -1/2: proved to be false at an instant before t = 0.523651 s, and proved up to t = 0.523592 s"]]
+        u > -1/2: proved to be false at an instant before t = 0.523607 s, and proved up to t = 0.523592 s"#]]
     .assert_eq(&ranges.join("\n"));
     assert!(out.contains("enclosed in balls of 32 digits") && out.contains("the motion exists up to t = 3.14159 s"));
 }
@@ -64,8 +64,12 @@ fn what_cannot_be_enclosed_is_refused_with_a_reason() {
     for (scene, args, message) in [
         (SCENE.to_owned() + contact, &[][..], "a rigorous run has no contacts"),
         (SCENE.replace("[0, \"pi\"]", "[1, 0]"), &[][..], "a rigorous run goes forwards in time"),
-        (SCENE.to_owned(), &["--claim", "y < 1"][..], "is about no shown quantity"),
-        (SCENE.to_owned(), &["--claim", "x <= 1"][..], "is not understood"),
+        (SCENE.to_owned(), &["--claim", "y < 1"][..], "--claim:1:1"),
+        (SCENE.to_owned(), &["--claim", "x <= 1"][..], "a claim has a strict sign"),
+        (SCENE.to_owned(), &["--claim", "x = 1"][..], "is not understood"),
+        (SCENE.to_owned() + "[[claims]]\nclaim = \"x < z\"\n", &[][..], "scene.toml:"),
+        (SCENE.to_owned() + "[[claims]]\nclaim = 3\n", &[][..], "a claim must be a string"),
+        (SCENE.to_owned() + "[[claims]]\nabout = \"x\"\n", &[][..], "`claim`"),
         (SCENE.to_owned(), &["--claim", "x < 1 +"][..], "--claim:1:"),
         (SCENE.to_owned(), &["--sensitivity", "x"][..], "cannot be used with"),
     ] {
@@ -75,4 +79,30 @@ fn what_cannot_be_enclosed_is_refused_with_a_reason() {
         assert_eq!(status, 2, "{args:?}: {err}");
         assert!(err.contains(message), "{args:?}: {err}");
     }
+}
+
+/// Truth: x = cos t falls through 1/2 at π/3, and T + V = 1/2 J.
+#[test]
+fn events_and_claims_of_a_scene_are_printed() {
+    let more = "[[events]]\nname = \"half\"\nzero = \"x - 0.5*m/m\"\ndirection = \"falling\"\nterminal = true\n\
+                [[claims]]\nclaim = \"x > 0.49\"\n\
+                [[claims]]\nclaim = \"determinant > 0.99*m\"\nby = \"kane\"\n";
+    let folder = slider(SLIDER, &(SCENE.to_owned() + more));
+    let (status, out, err) = tripos_in(folder.path(), &["simulate", "scene.toml", "--rigorous"]);
+    assert_eq!(status, 0, "{err}");
+    assert!(err.contains("the claim `determinant > 0.99*m` is about other equations: run with `--by kane`"), "{err}");
+    assert!(out.contains("an event ends the motion by t = 1.0472 s"), "{out}");
+    assert!(
+        out.contains("event half: proved once at t = 1.0471975511965") && out.contains("x > 0.49: proved"),
+        "{out}"
+    );
+    let (status, out, err) =
+        tripos_in(folder.path(), &["simulate", "scene.toml", "--rigorous", "--by", "kane", "--json"]);
+    assert_eq!(status, 0, "{err}");
+    let whole: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((&whole["end"], &whole["events"][0]["crossings"]), (&"event".into(), &"one".into()));
+    let instant = |key: &str| whole["events"][0][key].as_f64().unwrap();
+    let truth = std::f64::consts::FRAC_PI_3;
+    assert!(instant("from") <= truth && truth <= instant("to") && instant("to") - instant("from") < 1e-14, "{whole}");
+    assert_eq!(whole["claims"][0]["verdict"], "proved");
 }

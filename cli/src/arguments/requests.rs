@@ -62,8 +62,8 @@ pub struct EnclosureOptions {
     /// and at the end, with all rounding and truncation errors bounded. docs/rigorous.md
     #[arg(long, conflicts_with_all = ["sensitivity", "gradient", "strict", "method", "solve", "rtol", "atol", "step"])]
     pub rigorous: bool,
-    /// A claim that --rigorous proves, refutes or leaves open: NAME < NUMBER or NAME > NUMBER, where NAME is a shown
-    /// quantity, at all instants of the run; may be given more than once
+    /// A claim that --rigorous proves, refutes or leaves open, beside `claims` of the scene: FORMULA < FORMULA or
+    /// FORMULA > FORMULA, at all instants of the run; may be given more than once
     #[arg(long, requires = "rigorous", value_name = "CLAIM")]
     pub claim: Vec<String>,
 }

@@ -1,5 +1,6 @@
 //! Command `tripos page`: derives a model, runs every scene by every formulation, and writes one HTML page.
 
+mod claims;
 mod motion_figure;
 mod reduced_run;
 mod rows;
@@ -63,7 +64,7 @@ pub fn page(request: &Request) -> Result<u8, Failure> {
         warn(&note);
     }
     let (scenes, mut broken) = read_page_scenes(&model_file(&argument), &mut model)?;
-    let scenes = set_page_scene_values(scenes, &mut model, &request.set.set)?;
+    let (scenes, set) = set_page_scene_values(scenes, &mut model, &request.set.set)?;
     let page = out.join("index.html");
     refuse_overwriting_inputs(&model, None, [page.as_path()])?;
     for scene in &scenes {
@@ -79,7 +80,7 @@ pub fn page(request: &Request) -> Result<u8, Failure> {
     let (study, broken_publication) = ModelAnalysis::new(&model, &also)?;
     broken.extend(broken_publication);
     bar.inc(1);
-    let work = PageRuns::new(&model, &study, &derivations)?;
+    let work = PageRuns::new(&model, &study, &derivations, set)?;
     let done = work.scenes(&scenes, out, &bar)?;
     let (there, all) = (done.sections.len(), scenes.len());
     let unfinished = (there < all).then(|| format!("the page was interrupted after {there} of {all} scenes"));
@@ -160,18 +161,23 @@ fn read_page_scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>,
 
 /// Sets values of the option `--set` in the scenes, and prints the changed values once. `Err` for an unknown name or a
 /// value that a scene cannot have.
-fn set_page_scene_values(scenes: Vec<Scene>, model: &mut Mechanism, set: &[String]) -> Result<Vec<Scene>, Failure> {
-    let mut list = Vec::new();
+fn set_page_scene_values(
+    scenes: Vec<Scene>,
+    model: &mut Mechanism,
+    set: &[String],
+) -> Result<(Vec<Scene>, Vec<(String, f64)>), Failure> {
+    let (mut list, mut values) = (Vec::new(), Vec::new());
     for scene in scenes {
-        let (scene, values) = set_scene_values(scene, model, set)?;
+        let (scene, of_scene) = set_scene_values(scene, model, set)?;
         if list.is_empty() {
-            for (name, value) in values {
+            for (name, value) in &of_scene {
                 print_to_stderr(&format!("note: {name} = {value}, not the value of the scenes"));
             }
+            values = of_scene;
         }
         list.push(scene);
     }
-    Ok(list)
+    Ok((list, values))
 }
 
 /// Derivation of each formulation, or the reason why the model does not support it.
@@ -204,6 +210,8 @@ struct PageRuns<'a> {
     derived: Vec<(EquationsOrigin, Code)>,
     /// Code of each printed set of equations.
     printed: Vec<PrintedSystem>,
+    /// Numbers that replace those of the scene files, as (name, value in SI units).
+    set: Vec<(String, f64)>,
 }
 
 /// Runs of one scene by all sets of equations.
@@ -234,7 +242,12 @@ struct FinishedScenes {
 impl<'a> PageRuns<'a> {
     /// Prepares the derived equations of a model for runs, and collects the printed equations.
     /// `Err` if derived equations cannot be prepared for runs.
-    fn new(model: &'a Mechanism, study: &'a ModelAnalysis, derivations: &Derivations) -> Result<Self, Failure> {
+    fn new(
+        model: &'a Mechanism,
+        study: &'a ModelAnalysis,
+        derivations: &Derivations,
+        set: Vec<(String, f64)>,
+    ) -> Result<Self, Failure> {
         let mut derived = Vec::new();
         for (f, _) in derivations.iter().filter(|(_, result)| result.is_ok()) {
             let by = EquationsOrigin::from(*f);
@@ -242,7 +255,7 @@ impl<'a> PageRuns<'a> {
             derived.push((by, code));
         }
         let watch = WatchedInvariants::new(model, &study.derivations.kinematics.arena, &study.proof.integrals)?;
-        Ok(Self { model, study, watch, derived, printed: study.printed_systems(model) })
+        Ok(Self { model, study, watch, derived, printed: study.printed_systems(model), set })
     }
 
     /// Runs every scene and draws its figures. After an interruption, the unfinished scenes are
@@ -452,6 +465,7 @@ impl<'a> PageRuns<'a> {
             about: scene.about.clone(),
             facts,
             runs: rows,
+            claims: claims::judged_claims(self.model, scene, &self.set),
             not_run: runs.not_run,
             needs: runs.own.map(|own| own.needs),
             figures: shown,

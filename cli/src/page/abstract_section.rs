@@ -6,7 +6,7 @@
 //! entries.
 
 use crate::chart::sentences::TARGETS;
-use crate::page::content::{Page, RecommendedRun, SceneSection};
+use crate::page::content::{ClaimOutcome, Page, RecommendedRun, SceneSection};
 use crate::page::markup::formula_mathml::{length, zero_formula_mathml};
 use crate::page::markup::html::{escape, link, list_names, number, rounded_number_html};
 use crate::page::print::verdict::abstract_of_verdict;
@@ -182,7 +182,20 @@ fn simulation_sentence(page: &Page) -> Option<Sentence> {
         said(none, "does not run", "do not run"),
     ];
     let kinds: Vec<String> = kinds.into_iter().flatten().collect();
-    (all > 0).then(|| ("simulation".to_owned(), format!("Of {}, {}.", counted_noun(all, "scene"), list_names(&kinds))))
+    let said = format!("Of {}, {}{}.", counted_noun(all, "scene"), list_names(&kinds), judged_claims(page));
+    (all > 0).then(|| ("simulation".to_owned(), said))
+}
+
+/// Returns the end of the sentence about scenes: how many claims about motions are proved, and how many are refuted.
+/// Empty if no scene has a claim.
+fn judged_claims(page: &Page) -> String {
+    let outcomes = || page.scenes.iter().flat_map(|scene| &scene.claims).map(|claim| &claim.outcome);
+    let proved = outcomes().filter(|outcome| matches!(outcome, ClaimOutcome::Proved)).count();
+    let refuted = outcomes().filter(|outcome| matches!(outcome, ClaimOutcome::Refuted { .. })).count();
+    match outcomes().count() {
+        0 => String::new(),
+        all => format!("; of {} about motions, {proved} are proved and {refuted} refuted", counted_noun(all, "claim")),
+    }
 }
 
 /// Returns the sentences about the fastest measured equations, method and tolerance. Without a measurement, they say

@@ -69,6 +69,8 @@ pub struct SceneSection {
     /// Runs of the scene: one for each formulation, one by reduced equations, and one for each
     /// printed system.
     pub runs: Vec<RunRow>,
+    /// Claims about the motion, with the verdicts of rigorous runs.
+    pub claims: Vec<ClaimRow>,
     /// Printed systems that could not be run, each as (name, reason).
     pub not_run: Vec<(String, String)>,
     /// Figures of the scene, in the order of its file.
@@ -97,6 +99,38 @@ pub struct ReducedEquationsContent {
     pub reduced: ReducedScene,
     /// Numbers of operations in an evaluation of the reduced equations and of the whole model's equations.
     pub costs: Costs,
+}
+
+/// Claim about the motion of a scene, as a row of the page's table of claims.
+pub struct ClaimRow {
+    /// Claim as it is written in the scene.
+    pub claim: String,
+    /// Title of the equations whose motion is meant.
+    pub equations: String,
+    /// Words of a publication on which the claim decides; empty if there are none.
+    pub printed: String,
+    /// Explanation in words; empty if there is none.
+    pub about: String,
+    /// Verdict of a rigorous run.
+    pub outcome: ClaimOutcome,
+}
+
+/// Verdict of a rigorous run on a claim, for the page.
+pub enum ClaimOutcome {
+    /// The claim is proved at all instants of the scene.
+    Proved,
+    /// The claim is proved to be false at an instant before `by`, s.
+    Refuted {
+        /// Instant, s.
+        by: f64,
+    },
+    /// The claim is neither proved nor refuted over the whole scene.
+    Open {
+        /// Instant up to which the claim is proved, s; `None` if it is not proved at the start.
+        proved_to: Option<f64>,
+    },
+    /// There is no rigorous run, for this reason.
+    NotJudged(String),
 }
 
 /// Results of a run, as a row of the page's table of runs.

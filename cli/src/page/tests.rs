@@ -121,6 +121,12 @@ fn scene() -> SceneSection {
             run("Kane's method as printed (swing)", Some("swing"), Standing::Wrong),
             run("Kane's method as printed (scaled)", Some("scaled"), Standing::Right),
         ],
+        claims: vec![
+            claim("q1 < <2>", "the angle <stays>", ClaimOutcome::Proved),
+            claim("q1 < 0.1", "", ClaimOutcome::Refuted { by: 0.25 }),
+            claim("q1 > 0", "", ClaimOutcome::Open { proved_to: Some(0.5) }),
+            claim("q1 > 1", "", ClaimOutcome::NotJudged("no <series>".to_owned())),
+        ],
         not_run: vec![("printed:<odd>".to_owned(), "it mentions `<N>`".to_owned())],
         figures: vec![figure("x > y")],
         not_drawn: vec!["`passages` cannot be drawn: <no divisor>".to_owned()],
@@ -128,6 +134,12 @@ fn scene() -> SceneSection {
         integrals: Some(figure("I & I")),
         nearness: Some(figure("A & A")),
     }
+}
+
+/// Returns a row of the table of claims.
+fn claim(text: &str, printed: &str, outcome: ClaimOutcome) -> ClaimRow {
+    let [claim, printed] = [text, printed].map(str::to_owned);
+    ClaimRow { claim, equations: "Kane's <method>".to_owned(), printed, about: "as x < y says".to_owned(), outcome }
 }
 
 /// Returns the reduced equations for the pendulum's swing, with the angle as the only output.

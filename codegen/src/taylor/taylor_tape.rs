@@ -30,6 +30,14 @@ impl Tape {
     }
 }
 
+impl<S> Tape<S> {
+    /// Returns the Taylor recurrences that the tape evaluates.
+    #[must_use]
+    pub fn recurrences(&self) -> &Recurrences {
+        &self.list
+    }
+}
+
 impl<S: Numeric> Tape<S> {
     /// Returns the tape for another type of number `T`.
     #[must_use]

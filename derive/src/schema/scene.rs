@@ -25,6 +25,8 @@ const SPAN: Key = optional_key("span", List(&Formula), "first and last instant, 
 const INTEGRATION: Key = optional_key("integration", Table(INTEGRATION_KEYS), "how to integrate");
 /// Key `events` of a scene: the events that a run detects.
 const EVENTS: Key = optional_key("events", List(&Table(EVENT)), "what to notice");
+/// Key `claims` of a scene: what rigorous runs prove or refute.
+const CLAIMS: Key = optional_key("claims", List(&Table(CLAIM)), "what rigorous runs prove or refute");
 /// Key `impacts` of a scene: the contacts of bodies that can meet.
 const IMPACTS: Key = optional_key("impacts", Named(&Table(IMPACT)), "contacts, where bodies meet");
 /// Key `figures` of a scene: the figures of the page.
@@ -47,6 +49,7 @@ pub(crate) const KEYS: &[Key] = &[
     Key { is_needed: true, ..SPAN },
     INTEGRATION,
     OUTPUTS,
+    CLAIMS,
     IMPACTS,
     EVENTS,
     FIGURE_LIST,
@@ -71,6 +74,7 @@ pub(crate) const STATE_KEYS: &[Key] = &[
     LADDER,
     SPAN,
     INTEGRATION,
+    CLAIMS,
     IMPACTS,
     EVENTS,
     FIGURE_LIST,
@@ -120,6 +124,14 @@ const IMPACT: &[Key] = &[
     optional_key("no_slip", List(&Formula), "velocities along the contact that are 0 while the contact is closed"),
     optional_key("friction", Formula, "the coefficient of Coulomb friction, 0 or more"),
     optional_key("along", Formula, "the velocity at which a contact with friction slips, m/s"),
+    ABOUT,
+];
+
+/// Keys of an entry in the list `claims` of a scene.
+const CLAIM: &[Key] = &[
+    required_key("claim", Text, "FORMULA < FORMULA or FORMULA > FORMULA, at all instants"),
+    optional_key("by", Text, "the equations whose motion is meant, such as kane or printed:ID"),
+    optional_key("printed", Text, "the words of a publication on which the claim decides"),
     ABOUT,
 ];
 

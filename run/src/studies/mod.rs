@@ -1,15 +1,13 @@
-//! Studies of mechanisms: charts, sweeps, derivatives, rigorous runs, steady motions, inverse dynamics and
+//! Studies of mechanisms: charts, sweeps, derivatives, steady motions, inverse dynamics and
 //! identification.
 
 pub mod abbreviation;
 pub mod chart_case;
-pub mod claims;
 pub mod figure;
 pub mod identification;
 pub mod inverse;
 mod method_at_tolerance;
 pub mod model_analysis;
-pub mod rigorous_scene;
 pub mod sensitivity;
 pub mod stability;
 pub mod steady;

@@ -2,21 +2,24 @@
 //!
 //! The equations of motion run in numbers of 32 digits, twice the precision of a double, by DOP853
 //! with eliminated accelerations. Doubles could not reach the tolerances. Two runs are made, by two
-//! formulations and at two tolerances. Their difference is the uncertainty of the reference.
+//! formulations and at two tolerances. Their difference is the uncertainty of the reference, unless a rigorous run
+//! proves how near the exact motion is.
 
 use crate::code::{Code, CodePreparation, compiled_code, runnable_code};
 use crate::error::{Error, refused_scene_error};
 use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
+use crate::rigorous::enclosed_run::{EnclosedInstants, RigorousRequest, enclose_scene};
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::mechanics::SingularDistance;
-use tripos_derive::scene::{AccelerationSolution, Scene};
+use tripos_derive::scene::{AccelerationSolution, Scene, default_outputs};
+use tripos_sim::rigorous_run::RigorousOptions;
 use tripos_sim::work_precision::work_precision_error;
 use tripos_sim::{
     EliminatedDynamics, LentRightHandSide, Method, Options, OutputOption, RightHandSide, SimError, Solution, integrate,
 };
-use tripos_traits::{DoubleDouble, Real, Scalar, larger};
+use tripos_traits::{Ball, DoubleDouble, Real, Scalar, larger};
 
 /// Reference solution: states at given instants, more accurate than any run in doubles.
 pub struct ReferenceSolution {
@@ -24,9 +27,12 @@ pub struct ReferenceSolution {
     pub times: Vec<f64>,
     /// State at each instant of `times`: coordinates, then generalized speeds, in SI units.
     pub states: Vec<Vec<DoubleDouble>>,
-    /// Largest error between the two reference runs, measured by [`work_precision_error`]. It is without
-    /// unit, relative to the size of the states.
+    /// Largest error between the two reference runs, measured by [`work_precision_error`], or the proved distance if
+    /// that is smaller. It is without unit, relative to the size of the states.
     pub uncertainty: f64,
+    /// Largest distance of the states from the exact motion of the scene, as a rigorous run proves it, measured like
+    /// [`work_precision_error`]; `None` if none is proved.
+    pub proved: Option<f64>,
     /// Text that describes how the reference was certified.
     pub how: String,
 }
@@ -36,6 +42,11 @@ pub struct ReferenceSolution {
 const TOLERANCES: [f64; 2] = [1e-22, 1e-20];
 /// Number of steps after which the computation of a reference stops as a failure.
 const MOST_STEPS: u64 = 5_000_000;
+/// Largest distance that is stated as a theorem. A larger one belongs to other numbers than those of the scene's file,
+/// or tells nothing of the errors of runs in doubles.
+const LARGEST_PROVED: f64 = 1e-12;
+/// Number of operations on balls after which no distance is proved: some seconds.
+const MOST_OPERATIONS: u64 = 60_000_000;
 /// Number of states near the start at which the rates by two formulations are compared.
 const STATES: usize = 4;
 
@@ -61,17 +72,49 @@ impl ReferenceSolution {
         let difference = kept.iter().zip(&check).map(|(a, b)| work_precision_error(a, b)).fold(0.0, larger);
         let same = first.runs_the_terms_of(&second, model, &scene)?;
         let more = if same { "; both run the same terms, so that they are one witness at two tolerances" } else { "" };
+        let proved = proved_distance(model, &scene, times, &kept).filter(|distance| *distance <= LARGEST_PROVED);
+        let theorem = proved.map_or_else(String::new, |distance| {
+            format!("; theorem: they are within {distance:.1e} of the exact motion (rigorous run)")
+        });
         let how = format!(
-            "DOP853 in double-double (32 digits), {}: they differ by {difference:.1e}{more}",
+            "DOP853 in double-double (32 digits), {}: they differ by {difference:.1e}{more}{theorem}",
             names.join(" against ")
         );
-        Ok(Self { times: times.to_vec(), states: kept, uncertainty: larger(difference, DoubleDouble::EPSILON), how })
+        let difference = larger(difference, DoubleDouble::EPSILON);
+        let uncertainty = proved.map_or(difference, |distance| distance.min(difference));
+        Ok(Self { times: times.to_vec(), states: kept, uncertainty, proved, how })
     }
 
     /// State at the last instant of the reference. It is empty if the reference has no instants.
     pub fn end(&self) -> &[DoubleDouble] {
         self.states.last().map_or(&[], Vec::as_slice)
     }
+}
+
+/// Largest distance from given states of a scene to its exact motion, as a rigorous run proves it, measured like
+/// [`work_precision_error`]. `None` if no distance is proved with a small number of operations, or if the states belong
+/// to other numbers than those of the scene's file.
+fn proved_distance(model: &Mechanism, scene: &Scene, times: &[f64], states: &[Vec<DoubleDouble>]) -> Option<f64> {
+    let (first, last) = (*times.first()?, *times.last()?);
+    if first < scene.span.0 || last > scene.span.1 {
+        return None;
+    }
+    let outputs = default_outputs(model);
+    let scene = Scene { events: Vec::new(), claims: Vec::new(), outputs, states_outputs: false, ..scene.clone() };
+    let instants = EnclosedInstants::At(times);
+    let options = RigorousOptions::default();
+    let request =
+        RigorousRequest { by: None, set: &[], instants, claims: &[], operation_limit: MOST_OPERATIONS, options };
+    let found = enclose_scene(model, &scene, &request).ok()?;
+    if found.boxes.len() != states.len() {
+        return None;
+    }
+    let error = |(x, exact): (&DoubleDouble, &Ball)| {
+        let distance = Ball::point(*x) - *exact;
+        distance.size() / (1.0 + exact.least_size())
+    };
+    let errors = states.iter().zip(&found.boxes).flat_map(|(x, exact)| x.iter().zip(exact).map(error));
+    Some(errors.fold(0.0, larger))
 }
 
 /// Equations of one formulation from which a reference is computed.

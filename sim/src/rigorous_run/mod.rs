@@ -63,8 +63,8 @@ pub struct RigorousRun {
 
 /// Piece of a rigorous run, for an observer: all motions between two instants.
 pub struct Passage<'a> {
-    /// Instant at the start of the step, s.
-    pub t: f64,
+    /// Ball of the instant at the start of the step, s.
+    pub t: Ball<f64>,
     /// Length of the step, s.
     pub h: f64,
     /// Enclosure of the motions over the step.
@@ -120,7 +120,7 @@ pub fn enclose(
                 return run;
             };
             run.steps += 1;
-            let passage = Passage { t: t.low(), h: step.length.high(), tube: &step.tube };
+            let passage = Passage { t: Ball::narrowed(t), h: step.length.high(), tube: &step.tube };
             let goes_on = observer(&passage);
             set = flow.advanced(&set, step.length, &step.rest);
             t = if step.is_last { *instant } else { t + step.length };

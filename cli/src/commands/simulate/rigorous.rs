@@ -8,10 +8,13 @@ use crate::terminal::interruption;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos::{Claim, ClaimVerdict, EquationsName, Mechanism, RigorousRequest, RigorousScene, enclose_scene};
+use tripos::{
+    ClaimVerdict, Crossing, CrossingCount, EnclosedInstants, EquationsName, Mechanism, RigorousRequest, RigorousScene,
+    enclose_scene,
+};
 use tripos_derive::model::TIME;
 use tripos_derive::plain_text::with_significant_digits;
-use tripos_derive::scene::Scene;
+use tripos_derive::scene::{Scene, SceneClaim};
 use tripos_sim::rigorous_run::{RigorousEnd, RigorousOptions};
 use tripos_traits::{Ball, DoubleDouble, Scalar};
 
@@ -27,27 +30,29 @@ pub fn simulate_rigorously(
     set: &[(String, f64)],
     by: Option<&EquationsName>,
 ) -> Result<u8, Failure> {
-    let parts = scene.integration.samples.map_or(1, |samples| samples.saturating_sub(1).max(1));
+    let parts = scene.integration.samples.map_or(1, |samples| samples.saturating_sub(1));
+    let instants = EnclosedInstants::Parts(parts);
     let options = RigorousOptions::default();
     interruption::listen_for_interruption();
-    let found =
-        enclose_scene(model, scene, &RigorousRequest { by, set, parts, claims: &request.enclosure.claim, options })?;
+    let claims = &request.enclosure.claim;
+    let operation_limit = u64::MAX;
+    let found = enclose_scene(model, scene, &RigorousRequest { by, set, instants, claims, operation_limit, options })?;
     found.notes.iter().for_each(|note| print_to_stderr(&format!("note: {note}")));
     if request.json {
-        print_json(&enclosure_json(model, &found))?;
+        print_json(&enclosure_json(model, scene, &found))?;
     } else {
         print(&enclosure_text(model, scene, &found))?;
     }
     if let Some(path) = &request.csv {
         write_boxes(path, &found)?;
     }
-    let ends_early = found.run.end != RigorousEnd::Reached;
+    let ends_early = !found.is_whole();
     if ends_early && request.json {
         print_to_stderr(&end_in_words(&found));
     }
     let is_proved = found.claims.iter().all(|(_, verdict)| verdict.is_proved());
     Ok(match found.run.end {
-        RigorousEnd::Interrupted => status::INTERRUPTED,
+        RigorousEnd::Interrupted if found.last_event().is_none() => status::INTERRUPTED,
         _ if ends_early => status::STOPPED,
         _ => u8::from(!is_proved) * status::NO,
     })
@@ -60,7 +65,7 @@ fn shown_indices(found: &RigorousScene) -> impl Iterator<Item = usize> {
 
 /// Returns the enclosure as JSON. Each box has the lower and the upper bound of every quantity, as doubles that are
 /// rounded outwards.
-fn enclosure_json(model: &Mechanism, found: &RigorousScene) -> Value {
+fn enclosure_json(model: &Mechanism, scene: &Scene, found: &RigorousScene) -> Value {
     let bounds =
         |low: f64, high: f64| if low.is_finite() && high.is_finite() { json!([low, high]) } else { Value::Null };
     let named = |list: &dyn Fn(usize) -> Value| -> Map<String, Value> {
@@ -69,8 +74,18 @@ fn enclosure_json(model: &Mechanism, found: &RigorousScene) -> Value {
     let of_box = |balls: &[Ball]| named(&|at| bounds(balls[at].low(), balls[at].high()));
     let boxes = found.t.iter().zip(&found.boxes).map(|(t, balls)| json!({ "t": t, "box": of_box(balls) }));
     let digits = |ball: &Ball| json!({ "centre": ball.centre.to_string(), "radius": ball.radius });
-    let last = found.boxes.last();
-    let claim = |(claim, verdict): &(Claim, ClaimVerdict)| {
+    let narrow = |balls: &[Ball<f64>]| named(&|at| bounds(balls[at].low(), balls[at].high()));
+    let event = |crossing: &Crossing| {
+        json!({
+            "name": scene.events[crossing.event].name,
+            "from": crossing.from,
+            "to": crossing.to,
+            "crossings": crossing_word(crossing.count),
+            "box": narrow(&crossing.shown),
+        })
+    };
+    let last = found.boxes.last().filter(|_| found.last_event().is_none());
+    let claim = |(claim, verdict): &(SceneClaim, ClaimVerdict)| {
         json!({
             "claim": claim.text,
             "verdict": verdict_word(*verdict),
@@ -81,12 +96,16 @@ fn enclosure_json(model: &Mechanism, found: &RigorousScene) -> Value {
     json!({
         "model": short_name(model),
         "formulation": found.by.name(),
-        "t": found.run.t_end,
-        "end": end_word(found.run.end),
-        "box": last.map(|balls| of_box(balls)),
+        "t": end_instant(found),
+        "end": end_word(found),
+        "box": match found.last_event() {
+            Some(crossing) => Some(narrow(&crossing.shown)),
+            None => last.map(|balls| of_box(balls)),
+        },
         "box_in_32_digits": last.map(|balls| named(&|at| digits(&balls[at]))),
         "boxes": boxes.collect::<Vec<Value>>(),
         "ranges": named(&|at| bounds(found.ranges[at].lo(), found.ranges[at].hi())),
+        "events": found.crossings.iter().map(event).collect::<Vec<Value>>(),
         "claims": found.claims.iter().map(claim).collect::<Vec<Value>>(),
         "steps": found.run.steps,
         "rejected": found.run.rejected,
@@ -98,13 +117,19 @@ fn enclosure_json(model: &Mechanism, found: &RigorousScene) -> Value {
 fn enclosure_text(model: &Mechanism, scene: &Scene, found: &RigorousScene) -> String {
     let mut out = format!("{}, {}, enclosed in balls of 32 digits\n", model.title, found.by.title());
     let _ = writeln!(out, "{}", end_in_words(found));
-    if let (Some(t), Some(balls)) = (found.t.last(), found.boxes.last()) {
+    for crossing in &found.crossings {
+        let _ = writeln!(out, "\nevent {}: {}", scene.events[crossing.event].name, crossing_in_words(crossing));
+        for at in shown_indices(found) {
+            let _ = writeln!(out, "  {} = {}", found.names[at], ball_in_words(crossing.shown[at].wide()));
+        }
+    }
+    if let (Some(t), Some(balls), None) = (found.t.last(), found.boxes.last(), found.last_event()) {
         let _ = writeln!(out, "\nproved at t = {t} s");
         for at in shown_indices(found) {
             let _ = writeln!(out, "  {} = {}", found.names[at], ball_in_words(balls[at]));
         }
     }
-    let until = with_significant_digits(found.run.t_end, 6);
+    let until = with_significant_digits(end_instant(found), 6);
     let _ = writeln!(out, "\nproved for all t from {} s to {until} s", scene.span.0);
     for at in shown_indices(found) {
         let (low, high) = (found.ranges[at].lo(), found.ranges[at].hi());
@@ -147,14 +172,20 @@ fn ball_in_words(ball: Ball) -> String {
     if !ball.is_defined() {
         return "no bound".to_owned();
     }
-    // The shortest decimals of a double differ from it by less than half a unit in its last place.
     let nearest = ball.centre.hi();
-    let rest = (Ball::point(ball.centre) - Ball::from_f64(nearest)).size() + ball.radius + f64::EPSILON * nearest.abs();
-    if rest > 1e-14 * nearest.abs() {
-        return format!("{nearest} ± {}", rounded_up(rest * (1.0 + 4.0 * f64::EPSILON)));
-    }
-    // The printed decimals differ from the centre by less than one unit of the 31st digit.
-    let printed = ball.centre.to_string();
+    let determined = (nearest.abs() / ball.radius).log10().ceil();
+    // The printed digits are exact decimals, so their distance from the centre is bounded like any other number.
+    let printed = match determined {
+        d if d <= 0.0 => "0".to_owned(),
+        d if d < 15.0 => with_significant_digits(nearest, d as usize + 1),
+        d => {
+            let all = ball.centre.to_string();
+            let plain = all.strip_suffix("e0").unwrap_or(&all);
+            let (digits, power) = plain.split_at(plain.find('e').unwrap_or(plain.len()));
+            // A sign and a point stand beside the digits.
+            digits.chars().take(d as usize + 3).chain(power.chars()).collect()
+        }
+    };
     let error = Ball::<DoubleDouble>::decimal(&printed) - Ball::point(ball.centre);
     format!("{printed} ± {}", rounded_up((ball.radius + error.size()) * (1.0 + 4.0 * f64::EPSILON)))
 }
@@ -186,9 +217,37 @@ fn verdict_in_words(verdict: ClaimVerdict) -> String {
     }
 }
 
+/// Last instant about which something is proved, s.
+fn end_instant(found: &RigorousScene) -> f64 {
+    found.last_event().map_or(found.run.t_end, |crossing| crossing.to)
+}
+
+/// Word for the proved number of crossings between two instants, for JSON.
+fn crossing_word(count: CrossingCount) -> &'static str {
+    match count {
+        CrossingCount::One => "one",
+        CrossingCount::AtLeastOne => "at_least_one",
+        CrossingCount::Open => "open",
+    }
+}
+
+/// Words for the proved number of crossings between two instants, and for the instants.
+fn crossing_in_words(crossing: &Crossing) -> String {
+    let t = Ball::<DoubleDouble>::between(crossing.from, crossing.to);
+    let instant = ball_in_words(t);
+    match crossing.count {
+        CrossingCount::One => format!("proved once at t = {instant} s, where"),
+        CrossingCount::AtLeastOne => format!("proved at least once at t = {instant} s, where"),
+        CrossingCount::Open => format!("may occur at t = {instant} s, where"),
+    }
+}
+
 /// Word for the end of an enclosure, for JSON.
-fn end_word(end: RigorousEnd) -> &'static str {
-    match end {
+fn end_word(found: &RigorousScene) -> &'static str {
+    if let Some(crossing) = found.last_event() {
+        return if crossing.count == CrossingCount::Open { "open_event" } else { "event" };
+    }
+    match found.run.end {
         RigorousEnd::Reached => "reached",
         RigorousEnd::NoEnclosure => "no_enclosure",
         RigorousEnd::TooWide => "too_wide",
@@ -201,6 +260,13 @@ fn end_word(end: RigorousEnd) -> &'static str {
 fn end_in_words(found: &RigorousScene) -> String {
     let t = with_significant_digits(found.run.t_end, 6);
     let steps = found.run.steps;
+    if let Some(crossing) = found.last_event() {
+        let t = with_significant_digits(crossing.to, 6);
+        return match crossing.count {
+            CrossingCount::Open => format!("an event may end the motion by t = {t} s; {steps} steps"),
+            _ => format!("an event ends the motion by t = {t} s; {steps} steps"),
+        };
+    }
     match found.run.end {
         RigorousEnd::Reached => format!("the motion exists up to t = {t} s; {steps} steps"),
         RigorousEnd::NoEnclosure => {

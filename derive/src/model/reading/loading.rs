@@ -133,13 +133,7 @@ impl<'a> Loading<'a> {
             self.reader.error(text.span.clone(), format!("expected exactly one `{expected}` here"), help);
             return None;
         };
-        let side = |range: Range<usize>| {
-            let part = &text.text[range.clone()];
-            let start = range.start + (part.len() - part.trim_start().len());
-            let trimmed = part.trim();
-            Located { text: trimmed.to_owned(), span: text.part(start..start + trimmed.len()), exact: text.exact }
-        };
-        Some((side(0..*at), (*sign, side(at + 1..text.text.len()))))
+        Some((text.trimmed(0..*at), (*sign, text.trimmed(at + 1..text.text.len()))))
     }
 
     /// Unit of a term. `None` if it is indefinite, or after reporting a sum of terms with different units.

@@ -1,5 +1,6 @@
-//! Settings of a scene: inputs, integration, outputs and contacts.
+//! Settings of a scene: inputs, integration, outputs, claims and contacts.
 
+pub(super) mod claims;
 pub(super) mod impacts;
 pub(super) mod inputs;
 pub(super) mod integration;

@@ -144,8 +144,9 @@ pub fn load_output(text: &str, model: &mut Model) -> Result<SceneOutput, Diagnos
     Ok(SceneOutput { name: text.trim().to_owned(), value: value.expect("reported if missing") })
 }
 
-/// Default outputs: every coordinate, then every generalized speed.
-fn default_outputs(model: &Model) -> Vec<SceneOutput> {
+/// Default outputs of a scene: every coordinate, then every generalized speed.
+#[must_use]
+pub fn default_outputs(model: &Model) -> Vec<SceneOutput> {
     let coordinates = model.coordinates.iter().map(|c| SceneOutput { name: c.name.clone(), value: c.symbol });
     coordinates.chain(model.speeds.iter().map(|s| SceneOutput { name: s.name.clone(), value: s.symbol })).collect()
 }

@@ -1,12 +1,12 @@
 //! Numbers of a scene as balls that provably contain them, for rigorous runs.
 
 use super::start::EnclosedStart;
-use crate::diagnostic::{Diagnostic, Diagnostics, Source};
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Model;
 use crate::scene::Scene;
 use crate::scene::numbers::number_reader::{ParsedFormulas, ValueReader};
 use crate::scene::numbers::scene_number::Number;
-use crate::toml_reader::{Located, TomlReader};
+use crate::toml_reader::TomlReader;
 use tripos_traits::Ball;
 
 /// Start and span of a scene as balls that contain the numbers of its file, such as π/3 or 0.1.
@@ -16,23 +16,14 @@ pub struct EnclosedScene {
     pub start: EnclosedStart,
     /// First and last instant of the span, s.
     pub span: (Ball, Ball),
-    /// Values of the given formulas, in SI units.
-    pub formulas: Vec<Ball>,
 }
 
 /// Reads the numbers of a scene again, as balls. The numbers `set`, as (name, value), replace those of the scene's
 /// file. A number that is solved for has a ball with infinite radius if the solution is not proved.
 ///
-/// `formulas` are further formulas in numbers, `deg`, `pi` and parameters, each with its place for messages.
-///
 /// # Errors
-/// Returns [`Diagnostics`] if a name is no parameter and no start value of the scene, or if a formula has no value.
-pub fn enclosed_scene(
-    scene: &Scene,
-    model: &Model,
-    set: &[(String, f64)],
-    formulas: &[Source],
-) -> Result<EnclosedScene, Diagnostics> {
+/// Returns [`Diagnostics`] if a name is no parameter and no start value of the scene.
+pub fn enclosed_scene(scene: &Scene, model: &Model, set: &[(String, f64)]) -> Result<EnclosedScene, Diagnostics> {
     let mut model = model.clone();
     let (_, table) = TomlReader::parse(&scene.source)?;
     let mut given = Vec::new();
@@ -53,15 +44,6 @@ pub fn enclosed_scene(
     let numbers = values.scene_numbers(table.get_ref());
     values.reader.finish()?;
     let missing = || Diagnostics::new(scene.source.clone(), vec![Diagnostic::of_file("no span", "give one")]);
-    let mut list = Vec::new();
-    for source in formulas {
-        let mut values = ValueReader::new(TomlReader::new(source), &mut model);
-        values.is_wide = true;
-        let formula = Located { text: source.text.clone(), span: 0..source.text.len(), exact: true };
-        let number = values.number(&formula, &numbers.p, "this number");
-        values.reader.finish()?;
-        list.extend(number.map(|number| number.enclosure()));
-    }
     let span = numbers.enclosed_span.ok_or_else(missing)?;
-    Ok(EnclosedScene { start: numbers.start.enclosed, span, formulas: list })
+    Ok(EnclosedScene { start: numbers.start.enclosed, span })
 }

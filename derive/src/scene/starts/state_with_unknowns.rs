@@ -34,7 +34,7 @@ pub struct StateWithUnknowns {
 }
 
 /// Keys that a state file may have. Keys of scene files are permitted, but ignored.
-const KEYS: [&str; 19] = [
+const KEYS: [&str; 20] = [
     "schema",
     "model",
     "title",
@@ -51,6 +51,7 @@ const KEYS: [&str; 19] = [
     "span",
     "integration",
     "impacts",
+    "claims",
     "events",
     "figures",
     "source",
