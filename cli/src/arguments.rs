@@ -200,6 +200,10 @@ pub enum Command {
         /// Find the coordinates that the publication means: other signs, zeros, orders, absolute for relative angles
         #[arg(long)]
         find_coordinates: bool,
+        /// Write a certificate of the verdicts on one publication, from which a program outside Tripos decides whether
+        /// they hold
+        #[arg(long, value_name = "FILE", conflicts_with = "find_coordinates")]
+        certificate: Option<PathBuf>,
         /// Print JSON
         #[arg(long)]
         json: bool,

@@ -161,7 +161,10 @@ fn run(command: Command) -> Result<u8, Failure> {
             let part = if fragment { LatexExtent::Fragment } else { LatexExtent::Document };
             commands::derive::derive(&model, by.as_deref(), form, format, part)
         }
-        Command::Diff { model, others, find_coordinates, json } => {
+        Command::Diff { model, others, certificate: Some(path), json, .. } => {
+            commands::diff::diff_with_certificate(&model, &others, &path, Output::of_flag(json))
+        }
+        Command::Diff { model, others, find_coordinates, json, .. } => {
             let compare: Compare = if find_coordinates { in_found_coordinates } else { diff_with_file };
             commands::diff::diff(&model, &others, compare, Output::of_flag(json))
         }

@@ -64,6 +64,22 @@ pub fn prove(
     Ok(if proof.is_equivalent() { 0 } else { status::NO })
 }
 
+/// Returns the certificate of all proofs about a model, with the bytes that `prove --certificate` writes. `None` if a
+/// pair of formulations is not proved equivalent.
+///
+/// # Errors
+/// `Failure` if the model cannot be derived, or if its proofs cannot be certified.
+pub fn certificate_of_model(model: &Mechanism) -> Result<Option<String>, Failure> {
+    let mut derivations = derive_all(model).map_err(|error| model.diagnose(&error))?;
+    let proof = prove_model(model, &mut derivations);
+    if !proof.is_equivalent() {
+        return Ok(None);
+    }
+    proof.write_names(&mut derivations);
+    let derivation = derivation_text_in_json(model)?;
+    certificate::certificate_text(model, &mut derivations, &proof, &derivation).map(Some)
+}
+
 /// Returns the word for a verdict in tables and in JSON: `equal`, `different` or `undecided`.
 pub fn proof_verdict_word(verdict: &Verdict) -> &'static str {
     match verdict {
