@@ -368,6 +368,10 @@ pub enum Command {
         /// part of its largest size, such as 1e-3, in runs of this scene
         #[arg(long, value_name = "PART")]
         within: Option<f64>,
+        /// Write a certificate that the reduced equations give motions of the whole model, from which a program outside
+        /// Tripos decides whether they do
+        #[arg(long, value_name = "FILE", conflicts_with_all = ["within", "set"])]
+        certificate: Option<PathBuf>,
         /// Print JSON
         #[arg(long)]
         json: bool,

@@ -222,11 +222,11 @@ fn run(command: Command) -> Result<u8, Failure> {
             let printed = if printed { PrintedEquationsChoice::Included } else { PrintedEquationsChoice::LeftOut };
             commands::chart::chart(&read_scene_with(&scene, &set.set)?, &plan, printed, &out, Output::of_flag(json))
         }
-        Command::Scene { scene, set, within, json } => {
+        Command::Scene { scene, set, within, certificate, json } => {
             let (scene, output) = (read_scene_with(&scene, &set.set)?, Output::of_flag(json));
             match within {
                 Some(within) => commands::abbreviated_scene::abbreviated_scene(&scene, within, output),
-                None => commands::scene::scene(&scene, output),
+                None => commands::scene::scene(&scene, certificate.as_deref(), output),
             }
         }
         Command::Plot(request) => commands::plot::plot(&request),

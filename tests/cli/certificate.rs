@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Runs a program of `tests/certificate` with Python. Returns whether it ended with status 0, and what it printed.
-fn run_checker(program: &str, arguments: &[&str]) -> (bool, String) {
+pub fn run_checker(program: &str, arguments: &[&str]) -> (bool, String) {
     let (status, text) = status_of_checker(program, arguments);
     (status == Some(0), text)
 }
 
 /// Runs a program of `tests/certificate` with Python. Returns its exit status, and what it printed.
-fn status_of_checker(program: &str, arguments: &[&str]) -> (Option<i32>, String) {
+pub fn status_of_checker(program: &str, arguments: &[&str]) -> (Option<i32>, String) {
     let output = Command::new(python()).arg(root().join("tests/certificate").join(program)).args(arguments).output();
     let output = output.unwrap();
     let text = [output.stdout, output.stderr].concat();
@@ -25,7 +25,7 @@ fn python() -> std::ffi::OsString {
 }
 
 /// True if there is no Python 3.11; the test is then left out and counted.
-fn is_without_python() -> bool {
+pub fn is_without_python() -> bool {
     let found = Command::new(python()).args(["-c", "import tomllib"]).output().is_ok_and(|run| run.status.success());
     is_left_out("python", found, "certificates are checked by Python 3.11 or newer")
 }
