@@ -70,6 +70,10 @@ pub enum Command {
         /// Format of the certificate
         #[arg(long, value_name = "FORMAT", default_value = "lines", requires = "certificate")]
         format: CertificateFormat,
+        /// Prove every identity by its normal form instead of residues modulo primes; exit status 1 if a normal form is
+        /// too long
+        #[arg(long)]
+        exact: bool,
         /// Print JSON
         #[arg(long)]
         json: bool,

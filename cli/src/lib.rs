@@ -191,9 +191,9 @@ fn run(command: Command) -> Result<u8, Failure> {
         }
         Command::Fit(request) => commands::fit::fit(&request),
         Command::Excite(request) => commands::excite::excite(&request),
-        Command::Prove { model, also, certificate, format, json } => {
+        Command::Prove { model, also, certificate, format, exact, json } => {
             let certificate = certificate.as_deref().map(|path| (path, format));
-            commands::prove::prove(&model, &also, certificate, Output::of_flag(json))
+            commands::prove::prove(&model, &also, certificate, exact, Output::of_flag(json))
         }
         Command::Regenerate { models, check: true, json } => {
             commands::regenerate::check(&models, Output::of_flag(json))
