@@ -435,6 +435,23 @@ fn lemmas_for_coq_are_written() {
     assert!(status == 2 && err.contains("--certificate"), "{status} {err}");
 }
 
+/// Goal: people read the same lemmas in the syntax of Lean 4. Method: the file of a pendulum has as many lemmas as that
+/// for Coq, with their premises. No test runs Lean.
+#[test]
+fn lemmas_for_lean_are_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("pendulum.lean");
+    let words = ["prove", "models/pendulum", "--format", "lean", "--certificate"];
+    let output = command(&root(), &words).arg(&path).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.contains("8 lemmas; 0 identities are left out") && text.contains("import Mathlib"), "{text}");
+    assert_eq!(text.matches("\ntheorem ").count(), 8, "{text}");
+    assert_eq!(text.matches(":= by ").count(), 8, "{text}");
+    assert!(text.contains("sin_1 ^ 2 = 1 - cos_1 ^ 2)") && text.contains("variable (x_m : ℝ)"), "{text}");
+    assert!(!["sorry", "axiom", "Qed"].iter().any(|word| text.contains(word)), "{text}");
+}
+
 /// Goal: with `--exact`, every identity is proved by its normal form, or named. Method: the disk, whose 166 identities
 /// are short, as text and as JSON.
 #[test]

@@ -1,9 +1,9 @@
 //! Command `tripos prove`: proves that the formulations are equivalent, and finds first integrals of the motion.
 
 mod certificate;
-mod coq;
 mod exact;
 mod identities;
+mod lemmas;
 
 use crate::arguments::CertificateFormat;
 use crate::commands::derive::derivation_text_in_json;
@@ -11,6 +11,7 @@ use crate::files::output_files::{refuse_overwriting_inputs, write_text_file};
 use crate::files::workspace::{read_model, short_name};
 use crate::glossary::{glossary_json, glossary_text};
 use crate::terminal::failure::{Failure, Output, print, print_json, status};
+use lemmas::Assistant;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
@@ -54,7 +55,12 @@ pub fn prove(
         let derivation = derivation_text_in_json(&model)?;
         let text = match format {
             CertificateFormat::Lines => certificate::certificate_text(&model, &mut derivations, &proof, &derivation)?,
-            CertificateFormat::Coq => coq::coq_text(&model, &mut derivations, &proof, &derivation.json),
+            CertificateFormat::Coq => {
+                lemmas::lemma_text(&model, &mut derivations, &proof, &derivation.json, Assistant::Coq)
+            }
+            CertificateFormat::Lean => {
+                lemmas::lemma_text(&model, &mut derivations, &proof, &derivation.json, Assistant::Lean)
+            }
         };
         write_text_file(path, &text)?;
     }
