@@ -70,6 +70,10 @@ pub enum Command {
         /// Format of the certificate
         #[arg(long, value_name = "FORMAT", default_value = "lines", requires = "certificate")]
         format: CertificateFormat,
+        /// Prove every identity by its normal form instead of residues modulo primes; exit status 1 if a normal form is
+        /// too long
+        #[arg(long)]
+        exact: bool,
         /// Print JSON
         #[arg(long)]
         json: bool,
@@ -200,6 +204,10 @@ pub enum Command {
         /// Find the coordinates that the publication means: other signs, zeros, orders, absolute for relative angles
         #[arg(long)]
         find_coordinates: bool,
+        /// Write a certificate of the verdicts on one publication, from which a program outside Tripos decides whether
+        /// they hold
+        #[arg(long, value_name = "FILE", conflicts_with = "find_coordinates")]
+        certificate: Option<PathBuf>,
         /// Print JSON
         #[arg(long)]
         json: bool,
@@ -364,6 +372,10 @@ pub enum Command {
         /// part of its largest size, such as 1e-3, in runs of this scene
         #[arg(long, value_name = "PART")]
         within: Option<f64>,
+        /// Write a certificate that the reduced equations give motions of the whole model, from which a program outside
+        /// Tripos decides whether they do
+        #[arg(long, value_name = "FILE", conflicts_with_all = ["within", "set"])]
+        certificate: Option<PathBuf>,
         /// Print JSON
         #[arg(long)]
         json: bool,

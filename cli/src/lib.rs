@@ -161,7 +161,10 @@ fn run(command: Command) -> Result<u8, Failure> {
             let part = if fragment { LatexExtent::Fragment } else { LatexExtent::Document };
             commands::derive::derive(&model, by.as_deref(), form, format, part)
         }
-        Command::Diff { model, others, find_coordinates, json } => {
+        Command::Diff { model, others, certificate: Some(path), json, .. } => {
+            commands::diff::diff_with_certificate(&model, &others, &path, Output::of_flag(json))
+        }
+        Command::Diff { model, others, find_coordinates, json, .. } => {
             let compare: Compare = if find_coordinates { in_found_coordinates } else { diff_with_file };
             commands::diff::diff(&model, &others, compare, Output::of_flag(json))
         }
@@ -188,9 +191,9 @@ fn run(command: Command) -> Result<u8, Failure> {
         }
         Command::Fit(request) => commands::fit::fit(&request),
         Command::Excite(request) => commands::excite::excite(&request),
-        Command::Prove { model, also, certificate, format, json } => {
+        Command::Prove { model, also, certificate, format, exact, json } => {
             let certificate = certificate.as_deref().map(|path| (path, format));
-            commands::prove::prove(&model, &also, certificate, Output::of_flag(json))
+            commands::prove::prove(&model, &also, certificate, exact, Output::of_flag(json))
         }
         Command::Regenerate { models, check: true, json } => {
             commands::regenerate::check(&models, Output::of_flag(json))
@@ -219,11 +222,11 @@ fn run(command: Command) -> Result<u8, Failure> {
             let printed = if printed { PrintedEquationsChoice::Included } else { PrintedEquationsChoice::LeftOut };
             commands::chart::chart(&read_scene_with(&scene, &set.set)?, &plan, printed, &out, Output::of_flag(json))
         }
-        Command::Scene { scene, set, within, json } => {
+        Command::Scene { scene, set, within, certificate, json } => {
             let (scene, output) = (read_scene_with(&scene, &set.set)?, Output::of_flag(json));
             match within {
                 Some(within) => commands::abbreviated_scene::abbreviated_scene(&scene, within, output),
-                None => commands::scene::scene(&scene, output),
+                None => commands::scene::scene(&scene, certificate.as_deref(), output),
             }
         }
         Command::Plot(request) => commands::plot::plot(&request),

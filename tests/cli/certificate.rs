@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Runs a program of `tests/certificate` with Python. Returns whether it ended with status 0, and what it printed.
-fn run_checker(program: &str, arguments: &[&str]) -> (bool, String) {
+pub fn run_checker(program: &str, arguments: &[&str]) -> (bool, String) {
     let (status, text) = status_of_checker(program, arguments);
     (status == Some(0), text)
 }
 
 /// Runs a program of `tests/certificate` with Python. Returns its exit status, and what it printed.
-fn status_of_checker(program: &str, arguments: &[&str]) -> (Option<i32>, String) {
+pub fn status_of_checker(program: &str, arguments: &[&str]) -> (Option<i32>, String) {
     let output = Command::new(python()).arg(root().join("tests/certificate").join(program)).args(arguments).output();
     let output = output.unwrap();
     let text = [output.stdout, output.stderr].concat();
@@ -25,7 +25,7 @@ fn python() -> std::ffi::OsString {
 }
 
 /// True if there is no Python 3.11; the test is then left out and counted.
-fn is_without_python() -> bool {
+pub fn is_without_python() -> bool {
     let found = Command::new(python()).args(["-c", "import tomllib"]).output().is_ok_and(|run| run.status.success());
     is_left_out("python", found, "certificates are checked by Python 3.11 or newer")
 }
@@ -281,6 +281,126 @@ fn certified_equations_are_those_of_the_model() {
     assert!(holds && text.contains("60 changed models are refused, 0 accepted"), "{text}");
 }
 
+/// Writes the certificate of the verdicts on a publication of a model into a folder, and returns its path.
+fn certificate_of_verdicts(folder: &Path, model: &str, publication: &str) -> String {
+    let path = folder.join(format!("{}.verdicts", model.trim_start_matches('/').replace('/', "_")));
+    let output = command(&root(), &["diff", model, publication, "--certificate"]).arg(&path).output().unwrap();
+    assert!(path.is_file(), "{model}: {}", String::from_utf8_lossy(&output.stderr));
+    path.to_str().unwrap().to_owned()
+}
+
+/// Goal: the verdicts on every publication of the shelf and on the report of the disk can be checked without Tripos.
+/// Method: `verdicts.py` reads each publication and derives each quantity again. All right and wrong entries that
+/// Tripos prints are claimed, except those that the certificate counts.
+#[test]
+fn verdicts_on_publications_are_accepted() {
+    if is_without_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let models: Vec<String> = std::iter::once("models/disk".to_owned()).chain(models_in("publications")).collect();
+    assert!(models.len() > 20, "{models:?}");
+    for model in models {
+        let place = root().join(&model);
+        let publication = place.join("publication.toml");
+        let file = certificate_of_verdicts(folder.path(), &model, publication.to_str().unwrap());
+        let place = place.to_str().unwrap();
+        let (status, text) = status_of_checker("verdicts.py", &[&file, "--model", place, "--publication", place]);
+        // The kinematics of the checker does not know added masses.
+        let expected = if model.ends_with("marine_craft") { 3 } else { 0 };
+        assert_eq!(status, Some(expected), "{model}: {text}");
+        let expected = match model.rsplit('/').next() {
+            Some("disk") => "378 entries are right, 43 are wrong, 15 are statements; 32 corrections",
+            Some("cone_pendulum_tutorial") => "5 entries are right, 1 are wrong, 0 are statements; 1 corrections",
+            Some("satellite_quaternion") => "17 entries are right, 0 are wrong",
+            _ => "entries are right",
+        };
+        assert!(text.contains(expected), "{model}: {text}");
+    }
+}
+
+/// Goal: no certificate with a wrong verdict is accepted. Method: a forger exchanges right and wrong, and changes
+/// printed formulas, readings, corrections, factors, hashes and the derivation, in the certificates of three
+/// publications.
+#[test]
+fn tampered_verdicts_are_refused() {
+    if is_without_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let models = ["models/disk", "publications/cone_pendulum_tutorial", "publications/rolling_disc_lagrange"];
+    let files = models.map(|model| {
+        let publication = root().join(model).join("publication.toml");
+        certificate_of_verdicts(folder.path(), model, publication.to_str().unwrap())
+    });
+    let arguments: Vec<&str> = std::iter::once("40").chain(files.iter().map(String::as_str)).collect();
+    let (holds, text) = run_checker("tamper_verdicts.py", &arguments);
+    assert!(holds && text.contains("120 tampered certificates are refused, 0 accepted"), "{text}");
+}
+
+/// Goal: each kind of entry is judged by the checker as by Tripos. Method: a publication with energies up to a
+/// constant, a chain, equations of motion, reactions, generalized forces, quantities that the checker does not know,
+/// and rows with multipliers of the author.
+#[test]
+fn verdicts_on_all_kinds_of_entries_are_accepted() {
+    if is_without_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let entry = |id: &str, quantity: &str, printed: &str| {
+        let quantity = if quantity.is_empty() { String::new() } else { format!("quantity = \"{quantity}\"\n") };
+        format!("[[equation]]\nid = \"{id}\"\nsection = \"1\"\n{quantity}printed = \"{printed}\"\n")
+    };
+    let pendulum = [
+        "title = \"P\"\n[abbreviations]\ns = \"sin(theta)\"\n".to_owned(),
+        entry("V", "V", "V = -m*g*l*cos(theta)"),
+        entry("V-wrong", "V", "-m*g*cos(theta)"),
+        entry("energy", "energy", "m*l^2*theta'^2/2 - m*g*l*cos(theta) + 5"),
+        entry("T", "T", "T = m*l^2*omega^2/2 = m*l*theta'^2/2"),
+        entry("motion", "", "ddt(m*l^2*theta') + m*g*l*s = 0"),
+        entry("motion-wrong", "", "theta'' = -g*s"),
+        entry("rod", "rod", "m*l*theta'^2 + m*g*cos(theta)"),
+        entry("rod-wrong", "rod", "m*l*theta'^2"),
+        entry("rate", "omega'", "-g*s/l"),
+        entry("force", "F[1]", "-m*g*l*s"),
+        entry("slope", "g[1]", "m*g*l*s"),
+        entry("near", "", "theta'' + g/l*theta = 0") + "about = { theta = 0 }\n",
+        entry("mass", "M[1,1]", "m*l^2"),
+        entry("momentum", "ddt_dL_dqdot[theta]", "m*l^2*theta''"),
+    ];
+    let bob = [
+        "title = \"C\"\n".to_owned(),
+        entry("T", "T", "m*v^2/2"),
+        entry("V", "V", "m*g*y"),
+        "[[system]]\nid = \"rows\"\nsection = \"1\"\nformulation = \"lagrange\"\nequations = [\"m*x'' = \
+         -x*lambda_rod\", \"m*y'' = -y*lambda_rod - m*g\", \"x*x'' + y*y'' + x'^2 + y'^2 = 0\"]\n"
+            .to_owned(),
+    ];
+    let cases = [
+        ("models/pendulum", pendulum.concat(), "8 entries are right, 4 are wrong", "3 entries are not certified"),
+        ("models/cartesian_pendulum", bob.concat(), "2 entries are right, 0 are wrong", "3 entries are not certified"),
+    ];
+    for (model, text, verdicts, left_out) in cases {
+        let place = folder.path().join("publication.toml");
+        std::fs::write(&place, text).unwrap();
+        let file = certificate_of_verdicts(folder.path(), model, place.to_str().unwrap());
+        let (holds, said) = run_checker("verdicts.py", &[&file]);
+        assert!(holds && said.contains(verdicts) && said.contains(left_out), "{said}");
+    }
+    let publication = folder.path().join("publication.toml");
+    let publication = publication.to_str().unwrap();
+    let pendulum = "models/pendulum";
+    for (words, reason) in [
+        (vec!["diff", pendulum, publication, "--certificate", publication], "would be replaced"),
+        (vec!["diff", pendulum, pendulum, "--certificate", "c"], "this file is a model"),
+        (vec!["diff", pendulum, publication, publication, "--certificate", "c"], "one publication"),
+        (vec!["diff", pendulum, publication, "--certificate", "c", "--find-coordinates"], "cannot be used with"),
+    ] {
+        let (status, _, err) = tripos_in(&root(), &words);
+        assert!(status == 2 && err.contains(reason), "{words:?}: {status} {err}");
+    }
+}
+
 /// Goal: short claims hold exactly, by a computer algebra system that parses and differentiates for itself. Method:
 /// `check_sympy.py` on six models, one with time and one with a loop.
 #[test]
@@ -313,4 +433,37 @@ fn lemmas_for_coq_are_written() {
     assert!(!["Admitted", "Axiom", "admit"].iter().any(|word| text.contains(word)), "{text}");
     let (status, _, err) = tripos_in(&root(), &["prove", "models/pendulum", "--format", "coq"]);
     assert!(status == 2 && err.contains("--certificate"), "{status} {err}");
+}
+
+/// Goal: people read the same lemmas in the syntax of Lean 4. Method: the file of a pendulum has as many lemmas as that
+/// for Coq, with their premises. No test runs Lean.
+#[test]
+fn lemmas_for_lean_are_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("pendulum.lean");
+    let words = ["prove", "models/pendulum", "--format", "lean", "--certificate"];
+    let output = command(&root(), &words).arg(&path).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.contains("8 lemmas; 0 identities are left out") && text.contains("import Mathlib"), "{text}");
+    assert_eq!(text.matches("\ntheorem ").count(), 8, "{text}");
+    assert_eq!(text.matches(":= by ").count(), 8, "{text}");
+    assert!(text.contains("sin_1 ^ 2 = 1 - cos_1 ^ 2)") && text.contains("variable (x_m : ℝ)"), "{text}");
+    assert!(!["sorry", "axiom", "Qed"].iter().any(|word| text.contains(word)), "{text}");
+}
+
+/// Goal: with `--exact`, every identity is proved by its normal form, or named. Method: the disk, whose 166 identities
+/// are short, as text and as JSON.
+#[test]
+fn identities_of_the_disk_are_proved_exactly() {
+    let (status, out, err) = tripos_in(&root(), &["prove", "models/disk", "--exact"]);
+    assert!(status == 0 && out.contains("kane from lagrange: all 30 identities"), "{status} {out} {err}");
+    assert!(!out.contains("NOT PROVED EXACTLY"), "{out}");
+    let (_, out, _) = tripos_in(&root(), &["prove", "models/disk", "--exact", "--json"]);
+    let value: serde_json::Value = serde_json::from_str(&out).unwrap();
+    let counts = value["exact"].as_array().unwrap();
+    let total = |key: &str| counts.iter().map(|count| count[key].as_u64().unwrap()).sum::<u64>();
+    assert_eq!((counts.len(), total("exact"), total("not_proved_exactly")), (10, 166, 0), "{out}");
+    let (_, out, _) = tripos_in(&root(), &["prove", "models/disk", "--json"]);
+    assert!(!out.contains("not_proved_exactly"), "{out}");
 }

@@ -6,6 +6,7 @@ mod arguments;
 mod arm;
 mod base_parameters;
 mod certificate;
+mod certified_reductions;
 mod changed_force;
 mod charts;
 mod checks;

@@ -50,4 +50,6 @@ pub enum CertificateFormat {
     Lines,
     /// Lemmas for Coq, as far as their identities are short
     Coq,
+    /// The same lemmas for Lean 4 with Mathlib; Tripos's tests do not run Lean
+    Lean,
 }

@@ -1,13 +1,15 @@
 //! Command `tripos diff`: compares a model with a published derivation, or with an edited model.
 
+mod certificate;
 pub mod coordinates;
 mod models;
 mod root_mistakes;
 
 pub use models::changed_equations;
 
-use crate::commands::prove::{proof_verdict_word, proof_witness_json};
+use crate::commands::prove::{certificate_of_model, proof_verdict_word, proof_witness_json};
 use crate::files::judged_publication::JudgedPublication;
+use crate::files::output_files::{refuse_overwriting_inputs, write_text_file};
 use crate::files::workspace::{model_file, read_model, short_name};
 use crate::glossary::{glossary_json, glossary_text};
 use crate::phrases::{entry_count_words, shorten_formula};
@@ -94,6 +96,35 @@ pub fn diff_with_file(model: &Mechanism, other: &Path) -> Result<Comparison, Fai
         return models::diff(model, &tripos_derive::model::load(&source)?);
     }
     Ok(verdicts(JudgedPublication::new(model, &source)?, None))
+}
+
+/// Compares a model with one publication, prints the verdicts, and writes a certificate of them to the file `path`.
+/// Returns the exit status, which is 1 if an entry is different or undecided; the certificate is written then, too.
+///
+/// # Errors
+/// `Failure` if a file cannot be read, if there is not exactly one publication, or if the model has no certificate.
+pub fn diff_with_certificate(model: &Path, others: &[PathBuf], path: &Path, output: Output) -> Result<u8, Failure> {
+    let [other] = others else {
+        let help = "run the command once for each publication";
+        return Err(Failure::request("a certificate is about one publication", help));
+    };
+    let model = read_model(model)?;
+    let source = Source::read(&model_file(other))?;
+    if is_model(&source) {
+        let what = "--certificate is about a publication, and this file is a model";
+        return Err(Failure::request(what, "name a publication file, or leave out --certificate"));
+    }
+    refuse_overwriting_inputs(&model, None, Some(path))?;
+    certificate::refuse_overwriting_publication(&source, path)?;
+    let Some(proof) = certificate_of_model(&model)? else {
+        let what = "the formulations of the model are not proved equivalent, so that no verdict can be certified";
+        return Err(Failure::request(what, "run `tripos prove` on the model to see which pair is not proved"));
+    };
+    let judged = JudgedPublication::new(&model, &source)?;
+    write_text_file(path, &certificate::certificate_of_verdicts(&proof, &judged))?;
+    let Comparison { is_clean, text, json } = verdicts(judged, None);
+    print_result(output, &text, &json)?;
+    Ok(if is_clean { 0 } else { status::NO })
 }
 
 /// Report on the search for the coordinates of a publication, as text and as JSON.

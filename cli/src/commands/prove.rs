@@ -1,8 +1,9 @@
 //! Command `tripos prove`: proves that the formulations are equivalent, and finds first integrals of the motion.
 
 mod certificate;
-mod coq;
+mod exact;
 mod identities;
+mod lemmas;
 
 use crate::arguments::CertificateFormat;
 use crate::commands::derive::derivation_text_in_json;
@@ -10,6 +11,7 @@ use crate::files::output_files::{refuse_overwriting_inputs, write_text_file};
 use crate::files::workspace::{read_model, short_name};
 use crate::glossary::{glossary_json, glossary_text};
 use crate::terminal::failure::{Failure, Output, print, print_json, status};
+use lemmas::Assistant;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
@@ -20,14 +22,15 @@ use tripos_derive::algebra::meaning::compare::{Engine, Verdict, Witness};
 use tripos_derive::algebra::text::print::{print_text, print_whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{LoadDivisor, derive_all};
-use tripos_derive::prove::{Integral, Proof, prove as prove_model};
+use tripos_derive::prove::{Integral, Proof, prove as prove_model, prove_exactly};
 
 /// Largest length, in bytes, of a reaction's formula that the text shows.
 const LONGEST: usize = 600;
 
 /// Runs `tripos prove`: proves that the standard formulations and those in `also` are equivalent, and finds first
-/// integrals. Writes a certificate of these proofs to the file `certificate`, if given. Returns the exit status, which
-/// is 1 if a pair of formulations is not proved equivalent; then there is no certificate.
+/// integrals. Writes a certificate of these proofs to the file `certificate`, if given. With `is_exact`, the identities
+/// of the proofs are proved by normal forms alone. Returns the exit status, which is 1 if a pair of formulations is not
+/// proved equivalent, or not exactly; without equivalence there is no certificate.
 ///
 /// # Errors
 /// `Failure` if the model has errors, if a formulation in `also` is unknown or cannot be derived, or if the certificate
@@ -36,6 +39,7 @@ pub fn prove(
     model: &Path,
     also: &[String],
     certificate: Option<(&Path, CertificateFormat)>,
+    is_exact: bool,
     output: Output,
 ) -> Result<u8, Failure> {
     let also = also.iter().map(|name| formulation_of_name(name)).collect::<Result<Vec<_>, _>>()?;
@@ -51,17 +55,45 @@ pub fn prove(
         let derivation = derivation_text_in_json(&model)?;
         let text = match format {
             CertificateFormat::Lines => certificate::certificate_text(&model, &mut derivations, &proof, &derivation)?,
-            CertificateFormat::Coq => coq::coq_text(&model, &mut derivations, &proof, &derivation.json),
+            CertificateFormat::Coq => {
+                lemmas::lemma_text(&model, &mut derivations, &proof, &derivation.json, Assistant::Coq)
+            }
+            CertificateFormat::Lean => {
+                lemmas::lemma_text(&model, &mut derivations, &proof, &derivation.json, Assistant::Lean)
+            }
         };
         write_text_file(path, &text)?;
     }
+    let exact = is_exact.then(|| prove_exactly(&mut derivations.kinematics.arena, &proof));
     let arena = &derivations.kinematics.arena;
     if output == Output::Json {
-        print_json(&json_of(&model, arena, &proof))?;
+        let mut value = json_of(&model, arena, &proof);
+        if let Some(counts) = &exact {
+            value["exact"] = exact::exact_proofs_json(&model, arena, &proof, counts);
+        }
+        print_json(&value)?;
     } else {
-        print(&text_of(&model, arena, &proof))?;
+        let exact = exact.as_ref().map(|counts| exact::exact_proofs_text(&model, arena, &proof, counts));
+        print(&(text_of(&model, arena, &proof) + &exact.unwrap_or_default()))?;
     }
-    Ok(if proof.is_equivalent() { 0 } else { status::NO })
+    let is_open = exact.is_some_and(|counts| counts.iter().any(|count| count.open > 0));
+    Ok(if proof.is_equivalent() && !is_open { 0 } else { status::NO })
+}
+
+/// Returns the certificate of all proofs about a model, with the bytes that `prove --certificate` writes. `None` if a
+/// pair of formulations is not proved equivalent.
+///
+/// # Errors
+/// `Failure` if the model cannot be derived, or if its proofs cannot be certified.
+pub fn certificate_of_model(model: &Mechanism) -> Result<Option<String>, Failure> {
+    let mut derivations = derive_all(model).map_err(|error| model.diagnose(&error))?;
+    let proof = prove_model(model, &mut derivations);
+    if !proof.is_equivalent() {
+        return Ok(None);
+    }
+    proof.write_names(&mut derivations);
+    let derivation = derivation_text_in_json(model)?;
+    certificate::certificate_text(model, &mut derivations, &proof, &derivation).map(Some)
 }
 
 /// Returns the word for a verdict in tables and in JSON: `equal`, `different` or `undecided`.

@@ -1,25 +1,45 @@
 //! Command `tripos scene`: prints the reduced equations of a scene, and the parts of the model that the scene does not
 //! need.
 
+mod certificate;
+
+use crate::commands::prove::certificate_of_model;
+use crate::files::output_files::{refuse_overwriting_inputs, write_text_file};
 use crate::files::scene_file::SceneWithSetValues;
-use crate::files::workspace::short_name;
+use crate::files::workspace::{read_model, short_name};
 use crate::terminal::failure::{Failure, Output, print, print_json};
 use serde_json::{Value, json};
 use std::fmt::Write;
+use std::path::Path;
 use tripos::{Mechanism, ReducedScene};
 use tripos_codegen::plan::{Costs, OperationCount, scene_costs};
 use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::mechanics::Derivation;
 use tripos_derive::reduce::ReducedQuantity;
-use tripos_derive::scene::Scene;
+use tripos_derive::scene::{Scene, model_path_of_scene};
 
 /// Runs `tripos scene`: prints the reduced equations of a scene, with the omitted parts and their
-/// proofs. Returns the exit status.
+/// proofs. Writes a certificate of the reduction to the file `certificate`, if given. Returns the exit status.
 ///
 /// # Errors
-/// `Failure` if the scene has no reduced equations, or the output cannot be printed.
-pub fn scene(SceneWithSetValues { model, scene, .. }: &SceneWithSetValues, output: Output) -> Result<u8, Failure> {
+/// `Failure` if the scene has no reduced equations, if they cannot be certified, or if an output cannot be written.
+pub fn scene(
+    SceneWithSetValues { model, scene, .. }: &SceneWithSetValues,
+    certificate: Option<&Path>,
+    output: Output,
+) -> Result<u8, Failure> {
     let reduced = ReducedScene::new(model, scene)?;
+    if let Some(place) = certificate {
+        refuse_overwriting_inputs(model, Some(scene), Some(place))?;
+        // The model of the scene has the names of the scene in its arena; the proofs belong to the model file alone.
+        let own = read_model(&model_path_of_scene(&scene.source)?)?;
+        let Some(proof) = certificate_of_model(&own)? else {
+            let what = "the formulations of the model are not proved equivalent, so that no reduction can be certified";
+            return Err(Failure::request(what, "run `tripos prove` on the model to see which pair is not proved"));
+        };
+        let text = certificate::certificate_of_reduction(&proof, scene, &reduced.reduction)?;
+        write_text_file(place, &text)?;
+    }
     let costs = scene_costs(model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
     let no_gain = reduced.reason_against_reduction(model)?;
     if output == Output::Json {

@@ -7,6 +7,7 @@
 
 mod combination;
 mod equivalence;
+mod exact;
 mod first_integrals;
 mod integral_kind;
 mod noether;
@@ -17,6 +18,7 @@ mod verdicts;
 
 pub use combination::{Combination, CombinationDescription, CombinationKind, CombinationPart};
 pub use equivalence::{EquivalentPair, ReactionEquation};
+pub use exact::{ExactCount, ProvedStatement, prove_exactly};
 pub(crate) use first_integrals::IntegralSearchBasis;
 pub use first_integrals::{Integral, IntegralSearch};
 pub use integral_kind::{IntegralKind, Pivot};

@@ -74,12 +74,15 @@ use crate::algebra::text::notation::Notation;
 use crate::diagnostic::Source;
 use crate::mechanics::Quantity;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Published derivation: the entries, names and abbreviations of a publication file.
 #[derive(Clone, Debug)]
 pub struct Publication {
     /// Text of the publication file, with the file's name.
     pub source: Source,
+    /// Files of the author to which the publication file refers, as pairs (name, text), in alphabetical order.
+    pub files: Vec<(String, Arc<Source>)>,
     /// Title of the publication; empty if the file has none.
     pub title: String,
     /// Description, in words, of the printed source that was transcribed; empty if the file has none.

@@ -15,6 +15,7 @@ use crate::model::Model;
 use crate::toml_reader::{Entry as Field, Located, TomlReader};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
+use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -122,11 +123,25 @@ fn load_publication_from(
     loading.report_names_in_own_coordinates(&names);
     loading.near = loading.read_approximation(table);
     let entries = loading.entries(table);
+    let mut files: Vec<(String, Arc<Source>)> =
+        loading.files.sources.into_iter().filter_map(|(name, source)| Some((name, source?))).collect();
+    files.sort_by(|(a, _), (b, _)| a.cmp(b));
     let shorthand = loading.words.shorthand;
     loading.reader.finish()?;
     let (coordinates, redefined) = (loading.coordinates, loading.redefined);
     let source = source.clone();
-    Ok(Publication { source, title, reference, abbreviations, coordinates, redefined, shorthand, names, entries })
+    Ok(Publication {
+        source,
+        files,
+        title,
+        reference,
+        abbreviations,
+        coordinates,
+        redefined,
+        shorthand,
+        names,
+        entries,
+    })
 }
 
 /// State of the reading of a publication file: the file, the model, and the names and entries read

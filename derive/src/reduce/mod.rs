@@ -20,7 +20,7 @@ mod slices;
 pub use basis::prose::{Piece, Prose};
 pub use basis::reduction_basis::ReductionBasis;
 pub use result::reduction::{MovingFrame, Omission, ReducedOutput, ReducedQuantity, Reduction};
-pub use result::reduction_proof::ReductionProof;
+pub use result::reduction_proof::{Reconstruction, ReductionProof};
 pub use slices::potential_difference::PotentialDifference;
 
 use crate::mechanics::{DeriveError, check_inertia_at};

@@ -92,6 +92,11 @@ impl DerivedSystem {
         Self { names, unknowns: kept.into_iter().map(|at| unknowns[at]).collect(), rows }
     }
 
+    /// Names of the rows if a derivation shows these rows (`are_shown`), else no names.
+    pub fn shown_rows(&self, are_shown: bool) -> &[RowName] {
+        if are_shown { &self.names } else { &[] }
+    }
+
     /// Combines this derived system with the printed rows and their matches.
     pub fn into_matched_system(
         self,

@@ -4,7 +4,9 @@ use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Verdict, Witness};
 use crate::algebra::meaning::permitted_states::StatesOfValidity;
 use crate::diff::equations::claim::Claim;
+use crate::diff::equations::row_judgement::{RowJudgement, RowMatchResult};
 use crate::diff::repairs::MistakeKind;
+use crate::mechanics::RowName;
 use crate::publication::Entry;
 
 /// Remark on an entry that equals the derived value only to the digits printed.
@@ -103,6 +105,10 @@ pub struct Finding {
     pub derived: Option<Expr>,
     /// Factor printed ÷ derived; `None` without a common factor. A "different" entry has a factor only if it is exact.
     pub factor: Option<Expr>,
+    /// Name of the derived row with which a printed row, or the row of a printed entry, was compared, and the factor
+    /// printed ÷ derived of the row. `None` for other entries, for sums of derived rows, and for rows that no
+    /// derivation shows: those with the author's multipliers, and balances along the axes of a stated frame.
+    pub derived_row: Option<(RowName, Expr)>,
     /// Difference printed − derived, simplified; `None` unless the entry is "different".
     pub difference: Option<Expr>,
     /// Description of the mistake in words: wrong terms, or wrong entries of a row, with their right values. `None` if
@@ -148,6 +154,7 @@ impl Finding {
             printed: printed.to_owned(),
             derived: None,
             factor: None,
+            derived_row: None,
             difference: None,
             wrong: None,
             change: None,
@@ -157,6 +164,15 @@ impl Finding {
             witness: None,
             remarks: Vec::new(),
         }
+    }
+
+    /// Adds the name and the factor of the derived row with which the row was compared. `names` are the names of the
+    /// derived rows. Nothing is added for a sum of derived rows, or without names.
+    pub(in crate::diff) fn with_derived_row(mut self, judged: &RowJudgement, names: &[RowName]) -> Self {
+        if let RowMatchResult::Row { at, factor } = judged.by {
+            self.derived_row = names.get(at).map(|name| (name.clone(), factor));
+        }
+        self
     }
 
     /// Formulas of the finding that documents show: derived value, factor and difference.

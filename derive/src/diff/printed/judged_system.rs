@@ -137,6 +137,7 @@ impl EntryJudge<'_, '_> {
         let reading = FormulaReading::of(system.formulation);
 
         let multipliers = self.adapt_judged_system_to_multipliers(&mut order, &rows);
+        let shown_rows = order.shown_rows(multipliers.is_none() && system.frame.is_none());
         let exact = if self.near.is_some() { exact } else { order.clone() };
         let solving = SolvedUnknowns { order: &exact, values: OnceCell::new() };
         let total = self.rows_with_total_derivatives(system, &raw, &order);
@@ -186,21 +187,21 @@ impl EntryJudge<'_, '_> {
             let by = whole.as_ref().map_or_else(|| judged.by.clone(), |whole| whole.row_match(judged.by.clone()));
             let place = RowPlace { index: i, system };
             let finding = self.row_finding(finding, &row_printed, &order, &judged, whole, place);
-            findings.push(finding.with_claim(claim));
+            findings.push(finding.with_derived_row(&judged, shown_rows).with_claim(claim));
             for (j, unknown) in system.unknowns.iter().enumerate() {
                 let Some(id) = system.matrix_id(i, j) else { break };
                 let Some(at) = order.unknowns.iter().position(|u| u == unknown) else { continue };
                 let text = &system.matrix_texts[i][j];
                 let claim = Claim::Entry { table: self.earlier.len(), row: i, column: at };
                 let finding = self.entry_finding(unjudged_finding(&id, entry, text), row_printed[at], &judged, at);
-                findings.push(finding.with_claim(claim));
+                findings.push(finding.with_derived_row(&judged, shown_rows).with_claim(claim));
             }
             if let Some(id) = system.right_id(i) {
                 let at = row.len() - 1;
                 let claim = Claim::Entry { table: self.earlier.len(), row: i, column: at };
                 let text = &system.right_texts[i];
                 let finding = self.entry_finding(unjudged_finding(&id, entry, text), row_printed[at], &judged, at);
-                findings.push(finding.with_claim(claim));
+                findings.push(finding.with_derived_row(&judged, shown_rows).with_claim(claim));
             }
             matches.push(by);
         }

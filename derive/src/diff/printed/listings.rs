@@ -127,6 +127,7 @@ impl EntryJudge<'_, '_> {
                     let raw = listing.matrix.as_ref().map_or(row[j], |matrix| matrix[i][column]);
                     let own = PrintedFormulaValue { raw, value: row[j], reading };
                     let finding = self.entry_finding(unjudged_finding(&id, entry, text), own, &judged, j);
+                    let finding = finding.with_derived_row(&judged, &order.names);
                     findings.push(finding.with_claim(claim));
                 }
             }
@@ -135,6 +136,7 @@ impl EntryJudge<'_, '_> {
             let claim = Claim::Entry { table: self.earlier.len(), row: i, column };
             let own = PrintedFormulaValue { raw: listing.derivative[at_right], value: row[column], reading };
             let finding = self.entry_finding(unjudged_finding(&id, entry, right), own, &judged, column);
+            let finding = finding.with_derived_row(&judged, &order.names);
             findings.push(finding.with_claim(claim));
             rows.push(row);
             matches.push(judged.by);

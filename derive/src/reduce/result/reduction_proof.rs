@@ -28,6 +28,25 @@ use crate::reduce::slices::wanted_outputs::WantedOutputs;
 pub struct ReductionProof {
     /// Identities that were tested and hold, with terms in the reduction's arena.
     pub identities: Vec<Identity>,
+    /// Motion of the whole model, from which the identities were made.
+    pub reconstruction: Reconstruction,
+}
+
+/// Motion of the whole model as a function of all variables on a level set of momenta, also of those that reduced
+/// equations omit. All terms are in the reduction's arena.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Reconstruction {
+    /// Variables on the level set, as pairs (symbol, rate). A rate is a term in these variables, the constants `held`
+    /// and parameters.
+    pub variables: Vec<(Expr, Expr)>,
+    /// Coordinates and then speeds of the whole model, as pairs (symbol, value). A value is a term like a rate.
+    pub states: Vec<(Expr, Expr)>,
+    /// Conserved momenta that are constants of the reduced equations, as pairs (symbol, value in coordinates and speeds
+    /// of the whole model).
+    pub held: Vec<(Expr, Expr)>,
+    /// Positions of mass centres at the start that outputs contain, as pairs (symbol, symbol of the momentum that is
+    /// the rate of the position).
+    pub positions: Vec<(Expr, Expr)>,
 }
 
 impl ReductionProof {
@@ -85,7 +104,12 @@ pub fn prove_reduction(
     check.check_constants(basis, level, flow)?;
     check.check_rates(basis, flow)?;
     check.check_wanted(basis, whole, flow)?;
-    Ok(check.proof)
+    let mut back = basis.basis_to_model_substitution();
+    let held = level.held.iter().map(|h| (h.symbol, back.apply(&mut basis.arena, h.of_state))).collect();
+    let positions = flow.carried.iter().map(|c| (c.symbol, level.held[c.held].symbol)).collect();
+    let Reconstruction { variables, states, .. } = check.proof.reconstruction;
+    let reconstruction = Reconstruction { variables, states, held, positions };
+    Ok(ReductionProof { reconstruction, ..check.proof })
 }
 
 /// State of the proof that reduced equations agree with the whole model.
@@ -126,14 +150,17 @@ impl ReductionCheck {
             written: Substitution::default(),
             change,
             rates: Vec::new(),
-            proof: ReductionProof { identities: Vec::new() },
+            proof: ReductionProof { identities: Vec::new(), reconstruction: Reconstruction::default() },
         };
         let u: Vec<Expr> = u.into_iter().map(|e| put.apply(&mut basis.arena, e)).collect();
         let u: Vec<Expr> = u.into_iter().map(|e| flow.dependence.without_definitions(&mut basis.arena, e)).collect();
         let states: Vec<Expr> = q.into_iter().chain(u).collect();
         let rates: Vec<Expr> = states.iter().map(|e| check.change.apply(&mut basis.arena, *e)).collect();
         let names = of_q.iter().chain(&of_u).copied();
-        check.written = Substitution::new(&names.zip(states).collect::<Vec<_>>());
+        let states: Vec<(Expr, Expr)> = names.zip(states).collect();
+        check.written = Substitution::new(&states);
+        check.proof.reconstruction =
+            Reconstruction { variables: flow.raw.clone(), states, ..Reconstruction::default() };
         // The rates of the whole model are the rates of the reduced state minus the rates that the
         // frame adds.
         check.rates = rates;

@@ -1,4 +1,4 @@
-//! Proofs of equivalence and of first integrals as a file for Coq, whose kernel checks every step.
+//! Proofs of equivalence and of first integrals as a file for Coq or Lean, whose kernels check every step.
 //!
 //! Each identity is a lemma about real numbers. Sine and cosine of an angle are two numbers with s² = 1 − c², a square
 //! root is a number with r² = x, and divisors are premises. Formulas are written out without names of parts.
@@ -16,6 +16,15 @@ use tripos_derive::mechanics::Derivations;
 use tripos_derive::model::text_digest;
 use tripos_derive::prove::{CombinationPart, Proof};
 
+/// Proof assistant for which lemmas are written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Assistant {
+    /// Coq 8.16 with its standard library.
+    Coq,
+    /// Lean 4 with Mathlib.
+    Lean,
+}
+
 /// Largest number of operations, and of different subterms, of an identity that becomes a lemma. Coq needs minutes for
 /// larger ones.
 const LARGEST: usize = 250;
@@ -26,8 +35,12 @@ const LONGEST: usize = 2500;
 /// Largest number of turns, counted with multiplicity, that an angle in a lemma may be the sum of.
 const MOST_TURNS: u64 = 6;
 
-/// Beginning of the file: a tactic that proves an expression not zero, since it is ± a divisor among the premises.
-const HEADER: &str = "From Coq Require Import Reals.
+/// Beginning of the file for Lean. The tactic `grind` knows fields and equations between polynomials.
+const LEAN_HEADER: &str = "import Mathlib\n";
+
+/// Beginning of the file for Coq: a tactic that proves an expression not zero, since it is ± a divisor among the
+/// premises.
+const COQ_HEADER: &str = "From Coq Require Import Reals.
 Open Scope R_scope.
 
 Ltac divisor rules :=
@@ -36,15 +49,22 @@ Ltac divisor rules :=
     apply H; first [transitivity e; [rules | exact z] | transitivity (- e); [rules | rewrite z; ring]] end end.
 ";
 
-/// Returns the text for Coq: a lemma for each identity that proves a pair of formulations equivalent to Kane's, or a
-/// quantity constant. The text states how many identities it leaves out: long ones, and ones with several roots.
-pub fn coq_text(model: &Mechanism, derivations: &mut Derivations, proof: &Proof, derivation: &str) -> String {
+/// Returns the text for a proof assistant: a lemma for each identity that proves a pair of formulations equivalent to
+/// Kane's, or a quantity constant. The text states how many identities it leaves out: long ones, and ones with several
+/// roots.
+pub fn lemma_text(
+    model: &Mechanism,
+    derivations: &mut Derivations,
+    proof: &Proof,
+    derivation: &str,
+    assistant: Assistant,
+) -> String {
     let integrals: Vec<(String, Vec<Identity>)> = proof
         .integrals
         .iter()
         .map(|integral| (integral.name(model, &derivations.kinematics.arena), integral.identities.clone()))
         .collect();
-    let mut writer = CoqWriter::new(&mut derivations.kinematics.arena);
+    let mut writer = LemmaWriter::new(&mut derivations.kinematics.arena, assistant);
     for combination in proof.pairs.iter().flat_map(|pair| &pair.combinations) {
         if !gives_kane(combination) {
             continue;
@@ -60,20 +80,35 @@ pub fn coq_text(model: &Mechanism, derivations: &mut Derivations, proof: &Proof,
             writer.lemma(&format!("integral_{number}_{at}"), &format!("{name}: its rate, part {at}"), identity);
         }
     }
-    let mut out = format!("(* {}\n", comment(&model.title));
+    let (begin, end) = assistant.comment_marks();
+    let mut out = format!("{begin} {}\n", comment(&model.title));
     let _ = writeln!(out, "   SHA-256 of the model file: {}", text_digest(&model.source.text));
     let _ = writeln!(out, "   SHA-256 of `tripos derive --json`: {}", text_digest(derivation));
     let _ = writeln!(
         out,
-        "   {} lemmas; {} identities are left out, as too long or with several roots *)",
+        "   {} lemmas; {} identities are left out, as too long or with several roots {end}",
         writer.count, writer.left_out
     );
-    out + HEADER + &writer.section()
+    match assistant {
+        Assistant::Coq => out + COQ_HEADER + &writer.coq_section(),
+        Assistant::Lean => out + LEAN_HEADER + &writer.lean_section(),
+    }
 }
 
-/// Returns a text that may stand in a comment of Coq.
+impl Assistant {
+    /// Marks at the beginning and at the end of a comment.
+    fn comment_marks(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Coq => ("(*", "*)"),
+            Self::Lean => ("/-", "-/"),
+        }
+    }
+}
+
+/// Returns a text that may stand in a comment of Coq and of Lean.
 fn comment(text: &str) -> String {
-    text.replace("(*", "( *").replace("*)", "* )").replace('"', "'")
+    let text = text.replace("(*", "( *").replace("*)", "* )").replace('"', "'");
+    text.replace("/-", "/ -").replace("-/", "- /")
 }
 
 /// Returns in words to which part of the equations an identity belongs. Rows and columns count from 1.
@@ -88,8 +123,10 @@ fn part_in_words(part: CombinationPart) -> String {
     }
 }
 
-/// Writer of lemmas for Coq, with the variables that they need.
-struct CoqWriter<'a> {
+/// Writer of lemmas, with the variables that they need.
+struct LemmaWriter<'a> {
+    /// Proof assistant for which the lemmas are written.
+    assistant: Assistant,
     /// Arena that stores the terms of the identities.
     arena: &'a mut Arena,
     /// Names of all variables.
@@ -110,10 +147,11 @@ struct CoqWriter<'a> {
     left_out: usize,
 }
 
-impl<'a> CoqWriter<'a> {
+impl<'a> LemmaWriter<'a> {
     /// Starts a file without lemmas.
-    fn new(arena: &'a mut Arena) -> Self {
+    fn new(arena: &'a mut Arena, assistant: Assistant) -> Self {
         Self {
+            assistant,
             arena,
             variables: BTreeSet::new(),
             numbers: BTreeMap::new(),
@@ -126,8 +164,17 @@ impl<'a> CoqWriter<'a> {
         }
     }
 
-    /// Returns the section with the variables, their rules and the lemmas.
-    fn section(self) -> String {
+    /// Returns the section of Lean with the variables and the lemmas. The rules are premises of the lemmas.
+    fn lean_section(self) -> String {
+        let mut out = "\nsection Identities\n".to_owned();
+        for name in &self.variables {
+            let _ = writeln!(out, "variable ({name} : ℝ)");
+        }
+        out + &self.lemmas + "\nend Identities\n"
+    }
+
+    /// Returns the section of Coq with the variables, their rules and the lemmas.
+    fn coq_section(self) -> String {
         let mut out = "\nSection Identities.\n".to_owned();
         for name in &self.variables {
             let _ = writeln!(out, "Variable {name} : R.");
@@ -145,6 +192,27 @@ impl<'a> CoqWriter<'a> {
             return;
         };
         self.count += 1;
+        match self.assistant {
+            Assistant::Coq => self.coq_lemma(name, about, &texts),
+            Assistant::Lean => self.lean_lemma(name, about, &texts),
+        }
+    }
+
+    /// Adds a lemma of Lean. The texts are the sides of the identity, and then its divisors.
+    fn lean_lemma(&mut self, name: &str, about: &str, texts: &[String]) {
+        let _ = writeln!(self.lemmas, "\n/- {} -/\ntheorem {name}", comment(about));
+        for rule in &self.needed {
+            let _ = writeln!(self.lemmas, "    ({rule} : {})", self.rules[rule]);
+        }
+        for (at, divisor) in texts[2..].iter().enumerate() {
+            let _ = writeln!(self.lemmas, "    (divisor_{at} : {divisor} ≠ 0)");
+        }
+        let proof = if texts[0] == texts[1] { "rfl" } else { "grind" };
+        let _ = writeln!(self.lemmas, "    : {} = {} := by {proof}", texts[0], texts[1]);
+    }
+
+    /// Adds a lemma of Coq. The texts are the sides of the identity, and then its divisors.
+    fn coq_lemma(&mut self, name: &str, about: &str, texts: &[String]) {
         let _ = writeln!(self.lemmas, "\n(* {} *)\nLemma {name} :", comment(about));
         for divisor in &texts[2..] {
             let _ = writeln!(self.lemmas, "  {divisor} <> 0 ->");
@@ -160,7 +228,7 @@ impl<'a> CoqWriter<'a> {
         let _ = writeln!(self.lemmas, "Proof. intros. {proof}. Qed.");
     }
 
-    /// Returns the sides of an identity and then its divisors as formulas of Coq. `None` if they are too long.
+    /// Returns the sides of an identity and then its divisors as formulas. `None` if they are too long.
     fn formulas(&mut self, identity: &Identity) -> Option<Vec<String>> {
         let sides = [identity.left, identity.right];
         let is_short = |arena: &Arena, sides: &[Expr]| {
@@ -173,16 +241,16 @@ impl<'a> CoqWriter<'a> {
         self.needed.clear();
         let divided = divisors(self.arena, &sides);
         let texts = sides.iter().chain(&divided).map(|e| self.text(*e)).collect::<Option<Vec<_>>>()?;
-        // Two roots may be equal although their squares are written differently, and Coq is not told so.
+        // Two roots may be equal although their squares are written differently, and the assistant is not told so.
         let roots = self.needed.iter().filter(|rule| self.roots.contains(*rule)).count();
         let is_short = texts.iter().map(String::len).sum::<usize>() <= LONGEST;
         (is_short && roots <= 1).then_some(texts)
     }
 
-    /// Returns a term as a formula of Coq. `None` if an angle is no sum of a few multiples of terms.
+    /// Returns a term as a formula. `None` if an angle is no sum of a few multiples of terms.
     fn text(&mut self, e: Expr) -> Option<String> {
         Some(match self.arena.node(e).clone() {
-            Node::Number(value) => number(&value),
+            Node::Number(value) => self.number_text(&value),
             Node::Symbol(_) => {
                 let name = format!("x_{}", self.arena.symbol_name(e)?);
                 self.variable(name)
@@ -190,10 +258,10 @@ impl<'a> CoqWriter<'a> {
             Node::Pi => self.variable("number_pi".to_owned()),
             Node::Named(_, value) => self.text(value)?,
             Node::Sum(constant, terms) => {
-                let mut parts = if constant.is_zero() { Vec::new() } else { vec![number(&constant)] };
+                let mut parts = if constant.is_zero() { Vec::new() } else { vec![self.number_text(&constant)] };
                 for (term, factor) in &terms {
                     let term = self.text(*term)?;
-                    parts.push(if factor.is_one() { term } else { format!("{} * {term}", number(factor)) });
+                    parts.push(if factor.is_one() { term } else { format!("{} * {term}", self.number_text(factor)) });
                 }
                 format!("({})", parts.join(" + "))
             }
@@ -204,7 +272,11 @@ impl<'a> CoqWriter<'a> {
                         (base, 1) => base,
                         (base, n) => format!("{base} ^ {n}"),
                     };
-                    parts.push(if *exponent > 0 { power } else { format!("/ {power}") });
+                    parts.push(match self.assistant {
+                        _ if *exponent > 0 => power,
+                        Assistant::Coq => format!("/ {power}"),
+                        Assistant::Lean => format!("({power})⁻¹"),
+                    });
                 }
                 format!("({})", parts.join(" * "))
             }
@@ -262,14 +334,17 @@ impl<'a> CoqWriter<'a> {
         self.rules.insert(name, rule);
     }
 
+    /// Returns a rational number as a formula.
+    fn number_text(&self, value: &Rational) -> String {
+        match self.assistant {
+            Assistant::Coq => format!("({value})"),
+            Assistant::Lean => format!("({value} : ℝ)"),
+        }
+    }
+
     /// Returns the number of the variable for a term.
     fn number_of(&mut self, e: Expr) -> usize {
         let next = self.numbers.len() + 1;
         *self.numbers.entry(e).or_insert(next)
     }
-}
-
-/// Returns a rational number as a formula of Coq.
-fn number(value: &Rational) -> String {
-    format!("({value})")
 }
