@@ -220,7 +220,7 @@ fn inputs_that_cannot_be() {
         ("t,F\n0,1\n6,2\n6,3\n", "the instants of the table do not increase"),
         ("t,F\n0,1\n6,\n", "row 2 of the table has no number"),
         ("t,F\n0,1\n6,inf\n", "row 2 of the table has no number"),
-        ("t,F\n0,1\n6\n", "the table is no CSV"),
+        ("t,F\n0,1\n6\n", "line 3 of the table: a row has one cell, but the head has 2"),
         ("t,H\n0,1\n6,2\n", "the table has no column `F`"),
         ("t,F\n0,1\n", "the table has 1 rows"),
         ("", "the table has no column"),

@@ -82,7 +82,7 @@ pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
 /// Returns the elements of a figure as an `<svg>` element with the title `about` and the height in
 /// px.
 fn svg_element(elements: &str, about: &str, height: f64) -> String {
-    let about = about.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
+    let about = about.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;");
     format!(
         "<svg role=\"img\" aria-label=\"{about}\" xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" \
          height=\"{height}\" viewBox=\"0 0 {} {}\" stroke-linejoin=\"round\" \

@@ -1,6 +1,6 @@
 //! Diagnostics: errors of an input file, each with its place, a message and advice.
 
-use crate::plain_text::{one_line, path_as_plain_text, with_visible_characters};
+use crate::plain_text::{message_text, one_line, path_as_plain_text, with_visible_characters};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use std::fmt;
 #[cfg(feature = "files")]
@@ -87,7 +87,7 @@ impl Source {
 /// An error of an input file: message, place and advice.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Message of the error, in one line.
+    /// Message of the error, in one line and without forbidden characters.
     pub message: String,
     /// Place of the error in the file, as a byte range; `None` if the error concerns the file as a
     /// whole.
@@ -106,19 +106,20 @@ impl Diagnostic {
     /// Creates an error at a byte range of the file.
     #[must_use]
     pub fn new(span: Range<usize>, message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { message: message.into(), span: Some(span), other: None, help: Some(help.into()), file: None }
+        Self { span: Some(span), ..Self::of_file(message, help) }
     }
 
     /// Creates an error that concerns the file as a whole, without a place.
     #[must_use]
     pub fn of_file(message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { message: message.into(), span: None, other: None, help: Some(help.into()), file: None }
+        let (message, help) = (message_text(&message.into()).replace('\n', "\\n"), message_text(&help.into()));
+        Self { message, span: None, other: None, help: Some(help), file: None }
     }
 
     /// Adds a second place in the file, with its label.
     #[must_use]
     pub fn with_other(mut self, span: Range<usize>, label: impl Into<String>) -> Self {
-        self.other = Some((span, label.into()));
+        self.other = Some((span, message_text(&label.into())));
         self
     }
 }

@@ -45,6 +45,8 @@
 
 pub mod algebra;
 pub mod check;
+#[cfg(feature = "files")]
+mod csv_text;
 pub mod diagnostic;
 pub mod diff;
 pub mod flow;

@@ -52,6 +52,35 @@ pub fn with_visible_characters(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(written).collect())
 }
 
+/// Number of characters of the longest quotation that a message repeats in full.
+const LONGEST_QUOTATION: usize = 200;
+/// Number of characters that a message shows of a longer quotation.
+const SHOWN_OF_QUOTATION: usize = 60;
+
+/// Makes a message readable that quotes parts of a file between backticks. Forbidden characters become escapes; line
+/// feeds are kept outside of quotations. A quotation of more than 200 characters is cut after 60. An empty quotation becomes `""`.
+///
+/// ```
+/// use tripos_derive::plain_text::message_text;
+///
+/// assert_eq!(message_text("unknown key `` in a scene file"), "unknown key `\"\"` in a scene file");
+/// assert_eq!(message_text("unexpected `\u{202e}`"), "unexpected `\\u{202e}`");
+/// ```
+#[must_use]
+pub fn message_text(text: &str) -> String {
+    let visible = with_visible_characters(text);
+    // Every second part stands between backticks. A backtick at the end closes nothing.
+    let parts: Vec<&str> = visible.split('`').collect();
+    let is_closed = parts.len() % 2 == 1;
+    let quoted = |(at, part): (usize, &&str)| match part.char_indices().nth(SHOWN_OF_QUOTATION) {
+        _ if at % 2 == 0 || !is_closed => (*part).to_owned(),
+        Some((end, _)) if part.chars().count() > LONGEST_QUOTATION => format!("{}…", &part[..end]).replace('\n', "\\n"),
+        _ if part.is_empty() => "\"\"".to_owned(),
+        _ => part.replace('\n', "\\n"),
+    };
+    parts.iter().enumerate().map(quoted).collect::<Vec<_>>().join("`")
+}
+
 /// Writes a number for people with `digits` significant digits. It is a decimal fraction if its
 /// absolute value is from 0.001 up to 100 000; otherwise it has a power of ten.
 ///
@@ -131,6 +160,10 @@ mod tests {
         assert_eq!(with_visible_characters("q\u{1b}[31m \u{202e}abc\u{9b}"), "q\\u{1b}[31m \\u{202e}abc\\u{9b}");
         assert_eq!(with_visible_characters("plain — θ̇ 🎢\nand a line"), "plain — θ̇ 🎢\nand a line");
         assert_eq!(one_line("  two\r\n\twords "), "two words");
+        assert_eq!(message_text("`a\n` is\nno name"), "`a\\n` is\nno name");
+        assert_eq!(message_text("unexpected ```"), "unexpected ```");
+        let long = "x".repeat(201);
+        assert_eq!(message_text(&format!("`{long}` is unknown")), format!("`{}…` is unknown", &long[..60]));
         assert_eq!(code_point_text('\u{1b}'), "U+001B");
         assert_eq!(path_as_plain_text(Path::new("a\nb\u{7}/é")), "a\\u{a}b\\u{7}/é");
     }

@@ -70,6 +70,9 @@ fn deep_nesting_and_long_sums_neither_overflow_nor_hang() {
     assert!(error(&deep).1.contains("nesting deeper"));
     assert!(error(&"sin(".repeat(100_000)).1.contains("nesting deeper"));
     assert!(error(&"x^".repeat(100_000)).1.contains("nesting deeper"));
+    // The place of an error lies inside the text, also at its end.
+    let short = "2^".repeat(201);
+    assert_eq!(error(&short).0, short.len()..short.len());
     let mut arena = Arena::new();
     let minus = format!("{}q", "-".repeat(100_001));
     let e = parse_free(&mut arena, &minus).unwrap();

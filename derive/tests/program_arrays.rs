@@ -87,6 +87,11 @@ fn every_change_of_an_array_is_seen() {
     ] {
         assert_eq!(judged(line, ""), expected, "{line}");
     }
+    // Indices that no array has, and brackets nested so deeply that a search from each would take minutes.
+    let nested = format!("K = {}b{}", "(".repeat(200_000), ")".repeat(200_000));
+    for line in ["C[] = 1\n    K = C", "C[1, 2, 3] = 1\n    K = C", "C[18446744073709551615] = 1\n    K = C", &nested] {
+        assert_ne!(judged(line, ""), "wrong", "{}", &line[..12]);
+    }
     for (line, expected) in [
         ("a = a + 0", "right"),
         ("a = -a", "wrong"),

@@ -68,6 +68,7 @@ const WRONG: &[Wrong] = &[
     ("q1 = 1e-14", "q7 = 1e-14", "q7", "no coordinate or speed `q7`"),
     ("q1 = 1e-14", "q1 = -1", "-1", "`q1` is negative"),
     ("{ q1 = 1e-14 }", "[1e-14]", "[", "`atol`"),
+    ("3e-14\natol = { q1 = 1e-14 }", "0\natol = 0.0", "0.0", "rtol and atol are both zero"),
     ("{ q2 = \"90*deg\" }", "{ q7 = \"90*deg\" }", "q7", "no coordinate `q7`"),
     ("{ q2 = \"90*deg\" }", "{ u2 = \"90*deg\" }", "u2", "no coordinate `u2`"),
     ("\"90*deg\"", "\"45*deg\"", "45*deg", "not a multiple of a right angle"),

@@ -5,20 +5,24 @@ use std::f64::consts::PI;
 /// Part of the largest number of a group below which a number is rounding of the reader's own arithmetic.
 const ROUNDING: f64 = 1e-15;
 
+/// Bound of the whole numbers of TOML, 2^63.
+const LARGEST_WHOLE: f64 = 9_223_372_036_854_775_808.0;
+
 /// Number with as few digits as identify it, or with fifteen if these differ from it by rounding alone.
 pub fn number_text(value: f64) -> String {
     let value = if value == 0.0 { 0.0 } else { value };
     let short: f64 = format!("{value:.14e}").parse().unwrap_or(value);
     let value = if (short - value).abs() <= 2.0 * f64::EPSILON * value.abs() { short } else { value };
-    let (plain, short) = (format!("{value}"), format!("{value:e}"));
-    if plain.len() <= short.len() + 4 { plain } else { short }
+    exact_number_text(value)
 }
 
 /// Number with as few digits as identify it, as plain decimals or with an exponent, whichever is shorter.
 pub fn exact_number_text(value: f64) -> String {
     let value = if value == 0.0 { 0.0 } else { value };
     let (plain, short) = (format!("{value}"), format!("{value:e}"));
-    if plain.len() <= short.len() + 4 { plain } else { short }
+    // TOML has no whole number from 2^63 on.
+    let is_whole = value.abs() >= LARGEST_WHOLE;
+    if plain.len() <= short.len() + 4 && !is_whole { plain } else { short }
 }
 
 /// Numbers of a group; those that rounding alone leaves are exactly 0.
@@ -58,4 +62,18 @@ fn multiple_within(angle: f64, distance: f64) -> Option<(f64, String)> {
     let factor = if top - 1.0 == 0.0 { String::new() } else { format!("{top}*") };
     let divisor = if bottom - 1.0 == 0.0 { String::new() } else { format!("/{bottom}") };
     Some((multiple, format!("{sign}{factor}pi{divisor}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_beyond_the_whole_numbers_of_toml_have_an_exponent() {
+        for (value, text) in [(2000.0, "2000"), (9_268_634_660_533_830_000.0, "9.26863466053383e18"), (-1e19, "-1e19")]
+        {
+            assert_eq!(number_text(value), text);
+            assert!(toml::from_str::<toml::Table>(&format!("x = {text}")).is_ok(), "{text}");
+        }
+    }
 }

@@ -8,6 +8,7 @@ use crate::pose::Pose;
 use nalgebra::{Matrix3, Vector3};
 use std::collections::BTreeMap;
 use std::ops::Range;
+use tripos_derive::plain_text::message_text;
 use tripos_derive::plain_text::one_line;
 
 /// A robot: bodies, loops, couplings and actuators, with a list of parts of the file that were left out.
@@ -319,7 +320,7 @@ impl Robot {
 impl Omission {
     /// Counts a part that was left out; parts with the same text are counted together.
     pub fn add(list: &mut Vec<Self>, text: String) {
-        Self::merge(list, Self { text, count: 1 });
+        Self::merge(list, Self { text: message_text(&text), count: 1 });
     }
 
     /// Adds parts that were left out; parts with the same text are counted together.

@@ -96,6 +96,9 @@ impl Reading {
     }
 }
 
+/// Number of characters of the longest reason of the parser that a message repeats in full.
+const LONGEST_REASON: usize = 200;
+
 /// Parses XML. Entities of a document type, elements nested more than 200 deep, and text that is no XML are refused.
 ///
 /// # Errors
@@ -126,8 +129,14 @@ pub fn parse(source: &Source) -> Result<Document<'_>, Diagnostics> {
             let at = offset_of(&source.text, error.pos());
             let is_macro = matches!(&error, roxmltree::Error::UnknownNamespace(prefix, _) if prefix == "xacro");
             let advice = if is_macro { XACRO } else { "give a robot description in XML: URDF or MJCF" };
-            let message = format!("this is no XML that can be read: {error}");
-            fail(at..(at + 1).min(source.text.len()).max(at), message, advice)
+            // The place is not repeated in the message.
+            let (why, position) = (error.to_string(), format!(" at {}", error.pos()));
+            let why = why.strip_suffix(&position).unwrap_or(&why);
+            let length = source.text[at..].chars().next().map_or(0, char::len_utf8);
+            // The parser repeats names of any length.
+            let why =
+                why.char_indices().nth(LONGEST_REASON).map_or(why.to_owned(), |(end, _)| format!("{}…", &why[..end]));
+            fail(at..at + length, format!("this is no XML that can be read: {why}"), advice)
         }
     }
 }
@@ -220,4 +229,28 @@ pub fn number(node: Node<'_, '_>, name: &str, reading: &Reading) -> Option<f64> 
 /// Attribute with three numbers, as a vector. `None` if the attribute is absent, or after recording a mistake.
 pub fn vector(node: Node<'_, '_>, name: &str, reading: &Reading) -> Option<Vector3<f64>> {
     fixed_numbers::<3>(node, name, reading).map(Vector3::from)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The first error of a text: its part of the text, and its message.
+    fn error(text: &str) -> (String, String) {
+        let source = Source::from_text("robot.urdf", text);
+        let errors = parse(&source).map(drop).unwrap_err();
+        let place = errors.list[0].span.clone().unwrap();
+        (source.text[place].to_owned(), errors.list[0].message.clone())
+    }
+
+    #[test]
+    fn errors_of_xml_have_a_whole_character_as_their_place() {
+        let (part, message) = error("<robot name=\"ô\"ô></robot>");
+        assert_eq!(part, "ô");
+        assert_eq!(message, "this is no XML that can be read: expected a whitespace not 'ô'");
+        let (_, message) = error(&format!("<robot><{}></robot>", "a".repeat(1000)));
+        assert!(message.chars().count() < 300, "{message}");
+        let (_, message) = error("<robot name\u{1b}=\"a\"/>");
+        assert!(message.ends_with("expected '=' not '\\u{1b}'"), "{message}");
+    }
 }

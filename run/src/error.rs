@@ -2,6 +2,7 @@
 
 use std::fmt;
 use tripos_derive::diagnostic::{Diagnostics, UnknownName};
+use tripos_derive::plain_text::message_text;
 use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::scene::Scene;
 use tripos_sim::SimError;
@@ -32,7 +33,7 @@ pub enum Error {
 impl Error {
     /// Makes an `Error::Request` from a description of the mistake and advice.
     pub fn request(what: impl Into<String>, help: impl Into<String>) -> Self {
-        Self::Request { what: what.into(), help: help.into() }
+        Self::Request { what: message_text(&what.into()), help: message_text(&help.into()) }
     }
 
     /// Returns the message of the first error, and its advice. The advice is `None` if there is none.

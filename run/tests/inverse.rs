@@ -381,10 +381,11 @@ fn tables_of_samples_are_read_by_names() {
         ("q,u\n1,2\n", "the table has no column `u'`"),
         ("q,u,u'\n1,2,x\n", "row 1 has no number in `u'`: `x`"),
         ("q,u,u'\n", "the table has no rows"),
-        ("q,u,u'\n1,2\n", "the file is no CSV"),
+        ("q,u,u'\n1,2\n", "a row has 2 cells, but the head has 3"),
     ] {
         let error = read(text).unwrap_err();
         assert!(error.list[0].message.starts_with(wrong), "{}", error.list[0].message);
+        assert!(error.place(&error.list[0]).is_some(), "{text}: the error has a place in the table");
     }
 }
 

@@ -161,7 +161,7 @@ fn wrong_tables_are_refused() {
         "t,theta\n0,1\n1\n",
         &scene,
         expect![[r#"
-        error: the file is no CSV: CSV error: record 2 (line: 3, byte: 12): found record with 1 fields, but the previous record has 2 fields
+        error: a row has one cell, but the head has 2
          --> data.csv:3:1
           |
         3 | 1

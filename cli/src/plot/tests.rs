@@ -106,3 +106,9 @@ fn a_band_is_drawn_where_it_is_wider_than_its_curve_and_stays_inside_its_panel()
         .collect();
     assert!(heights.len() > 3 && heights.iter().all(|y| (0.0..2000.0).contains(y)), "{heights:?}");
 }
+
+#[test]
+fn the_title_of_a_figure_is_text_of_xml() {
+    let figure = super::svg_element("", "a]]> & <b> \"c\"", 100.0);
+    assert!(figure.contains("<title>a]]&gt; &amp; &lt;b&gt; &quot;c&quot;</title>"), "{figure}");
+}

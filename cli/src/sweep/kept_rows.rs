@@ -57,6 +57,10 @@ impl KeptRows {
             if fields[0] != point.to_string() {
                 return Err(other());
             }
+            if let Some(name) = columns.first_without_number(&fields) {
+                let why = format!("row {number} has no number in the column `{name}`");
+                return Err(UnfinishedTableMismatch::Other(why));
+            }
             let reason = fields.iter().next_back().filter(|reason| !reason.is_empty());
             kept.tally.count(point, &fields[columns.stop_column_index()], reason);
             kept.rows += 1;

@@ -54,6 +54,15 @@ impl Columns {
         self.names.len()
     }
 
+    /// Returns the name of the first column of a row in which text stands for a number; `None` if there is none. Cells
+    /// may be empty.
+    pub fn first_without_number(&self, row: &csv::StringRecord) -> Option<&str> {
+        let is_number = |cell: &str| cell.is_empty() || cell.parse::<f64>().is_ok();
+        let has_text = |at: usize| at == self.stop || at + 1 == self.names.len();
+        let mut cells = row.iter().zip(&self.names).enumerate();
+        cells.find(|(at, (cell, _))| !has_text(*at) && !is_number(cell)).map(|(_, (_, name))| name.as_str())
+    }
+
     /// Returns the index of the column with the stop code.
     pub fn stop_column_index(&self) -> usize {
         self.stop

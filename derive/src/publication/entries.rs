@@ -363,7 +363,7 @@ impl<'a> PublicationReader<'a, '_> {
         let id = self.required_entry_text(item, "id")?;
         let odd = |c: char| c.is_whitespace() || c.is_control();
         if id.text.is_empty() || id.text.chars().count() > MAX_ID || id.text.contains(odd) {
-            let message = format!("`{}` cannot be an id", shortened_for_message(&id.text).escape_debug());
+            let message = format!("`{}` cannot be an id", shortened_for_message(&id.text));
             let help = format!("an id has 1 to {MAX_ID} characters and no spaces, such as 2.11-a1");
             self.reader.error(id.span, message, help);
             return None;

@@ -7,6 +7,7 @@ use crate::robot::{Inertia, Shape, Solid};
 use crate::xml::{Reading, place};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::PI;
+use tripos_derive::diagnostic::shortened_for_message;
 
 /// Density of a geom that states neither mass nor density, kg/m³ (MuJoCo XML reference, `geom/density`).
 const DENSITY: f64 = 1000.0;
@@ -33,6 +34,7 @@ pub fn read(
 ) -> Geom {
     let group = element.number("group", reading).unwrap_or(0.0);
     let kind = element.text("type").unwrap_or(if element.text("mesh").is_some() { "mesh" } else { "sphere" });
+    let shown = shortened_for_message(kind);
     let size = element.numbers("size", reading).unwrap_or_default();
     let mut own = read_pose(element, angles, reading);
     let mut half = None;
@@ -40,7 +42,7 @@ pub fn read(
         let (from, to) = (Vector3::new(a, b, c), Vector3::new(d, e, f));
         if (to - from).norm() == 0.0 || !matches!(kind, "capsule" | "cylinder" | "box" | "ellipsoid") {
             let advice = "give two different points, for a capsule, a cylinder, a box or an ellipsoid";
-            reading.add(element.place_of("fromto"), format!("`fromto` states no {kind}"), advice);
+            reading.add(element.place_of("fromto"), format!("`fromto` states no {shown}"), advice);
         } else {
             own = Pose { position: (from + to) / 2.0, rotation: turn_to(&(to - from)) };
             half = Some((to - from).norm() / 2.0);
@@ -63,7 +65,7 @@ pub fn read(
         _ => 3,
     };
     if size.len() < needed || size.iter().take(needed).any(|length| *length <= 0.0) {
-        let message = format!("the size of this {kind} needs {needed} positive numbers");
+        let message = format!("the size of this {shown} needs {needed} positive numbers");
         reading.add(element.place_of("size"), message, "give radii and half lengths, m");
         return Geom { shape: None, inertia: None, group, is_mesh: false };
     }
@@ -79,7 +81,7 @@ pub fn read(
         }
         "mesh" | "hfield" | "sdf" => {
             let name = element.text("mesh").or_else(|| element.text("hfield")).unwrap_or("without a name");
-            reading.omit(format!("{kind} {name}"));
+            reading.omit(format!("{shown} {name}"));
             return Geom { shape: None, inertia: None, group, is_mesh: kind == "mesh" };
         }
         other => {

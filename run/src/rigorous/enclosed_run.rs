@@ -331,8 +331,8 @@ impl EnclosedProblem {
         request.options.step_limit.min((request.operation_limit / of_step.max(1)).max(1))
     }
 
-    /// Encloses the motion at the instants of the request, the shown quantities over the whole span, and the events; judges
-    /// the claims.
+    /// Encloses the motion at the instants of the request, the shown quantities over the whole span, and the events;
+    /// judges the claims.
     fn enclosed(
         &self,
         numbers: &EnclosedScene,

@@ -344,7 +344,7 @@ impl Parser<'_, '_> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
             let message = format!("nesting deeper than {MAX_DEPTH}");
-            return Err(error(start..start + 1, message, Some("split the expression")));
+            return Err(error(start..(start + 1).min(self.text.len()), message, Some("split the expression")));
         }
         Ok(())
     }

@@ -140,17 +140,17 @@ impl ProgramVariables {
                 .filter(|part| !part.is_empty())
                 .map(|part| part.trim().parse::<usize>().ok()?.checked_sub(first))
                 .collect();
-            numbers
+            numbers.filter(|numbers| matches!(numbers.len(), 1 | 2))
         });
         let places: Vec<Vec<usize>> = places.collect::<Option<_>>()?;
         let pairs: Vec<&Vec<usize>> = places.iter().filter(|place| place.len() == 2).collect();
         if pairs.is_empty() {
-            let rows = places.iter().map(|place| place[0] + 1).max()?;
+            let rows = places.iter().map(|place| place[0]).max()?.checked_add(1)?;
             let kind = if is_matlab { ArrayKind::Matrix } else { ArrayKind::Flat };
             return (places.len() == rows).then_some(ArrayShape { rows, columns: 1, kind });
         }
-        let rows = pairs.iter().map(|place| place[0] + 1).max()?;
-        let columns = pairs.iter().map(|place| place[1] + 1).max()?;
+        let rows = pairs.iter().map(|place| place[0]).max()?.checked_add(1)?;
+        let columns = pairs.iter().map(|place| place[1]).max()?.checked_add(1)?;
         let is_complete = (0..rows).all(|i| (0..columns).all(|k| pairs.iter().any(|place| **place == [i, k])));
         let kind = if is_matlab { ArrayKind::Matrix } else { ArrayKind::Table };
         is_complete.then_some(ArrayShape { rows, columns, kind })

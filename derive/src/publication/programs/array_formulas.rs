@@ -2,7 +2,7 @@
 //! ranges of entries, and lists of them.
 
 use super::arrays::{Operand, Operation, ProgramArray, combined_operands, joined_blocks, solved_array};
-use super::indices::bracketed_end;
+use super::indices::{bracket_pairs, bracketed_end};
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
 use crate::publication::names::program_variables::{ArrayKind, LinearSolution, ProgramValue, UnreadAssignment};
@@ -10,6 +10,7 @@ use crate::publication::printed::printed_matrix::{MatrixCells, printed_matrix_ce
 use crate::publication::printed::{comma_parts, marks_outside_brackets};
 use crate::publication::publication_reader::PublicationReader;
 use crate::toml_reader::Located;
+use rustc_hash::FxHashMap;
 use std::ops::Range;
 
 /// Deepest nesting of a formula with arrays.
@@ -114,6 +115,8 @@ impl PublicationReader<'_, '_> {
             return false;
         }
         let bytes = text.as_bytes();
+        let closes: FxHashMap<usize, usize> = bracket_pairs(text).into_iter().collect();
+        let has_range = text.contains(':');
         let mut at = 0;
         while at < text.len() {
             let c = text[at..].chars().next().unwrap_or(' ');
@@ -135,14 +138,14 @@ impl PublicationReader<'_, '_> {
             match bytes.get(end) {
                 Some(b'(') if FUNCTIONS.contains(&last) || ARRAYS.contains(&last) => return true,
                 Some(b'(' | b'[') => {
-                    let inside = bracketed_end(text, end).map(|close| &text[end + 1..close - 1]);
+                    let inside = closes.get(&end).map(|close| &text[end + 1..*close]);
                     let is_row = |inside: &str| {
                         bytes[end] == b'['
                             && shape.is_some_and(|shape| shape.kind != ArrayKind::Flat && shape.columns > 1)
                             && !inside.contains(',')
                             && bytes.get(end + inside.len() + 2) != Some(&b'[')
                     };
-                    if inside.is_some_and(|inside| inside.contains(':') || is_row(inside)) {
+                    if inside.is_some_and(|inside| has_range && inside.contains(':') || is_row(inside)) {
                         return true;
                     }
                 }

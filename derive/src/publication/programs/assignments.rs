@@ -1,7 +1,7 @@
 //! Reading of a program's assignments: the value of each variable, or the reason why it was not read.
 
 use super::arrays::{Operand, Operation, ProgramArray, combined_operands};
-use super::indices::{bracketed_end, entry_names, indexed_name, selected_entries};
+use super::indices::{bracket_pairs, entry_names, indexed_name, selected_entries};
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{Source, shortened_for_message};
@@ -500,8 +500,8 @@ fn viewed_array(formula: &str) -> &str {
             continue;
         }
         // Opening bracket of the call that ends the formula.
-        let mut brackets = text.match_indices('(').map(|(at, _)| at);
-        let Some(open) = brackets.find(|at| bracketed_end(text, *at) == Some(text.len())) else { break };
+        let last = bracket_pairs(text).pop().filter(|(_, close)| close + 1 == text.len());
+        let Some((open, _)) = last.filter(|(open, _)| text[*open..].starts_with('(')) else { break };
         let (object, function) = text[..open].rsplit_once('.').unwrap_or(("", &text[..open]));
         if !VIEWS.contains(&function) {
             break;

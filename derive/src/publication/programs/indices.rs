@@ -19,6 +19,20 @@ pub fn bracketed_end(text: &str, open: usize) -> Option<usize> {
     None
 }
 
+/// Closing bracket of each bracket of a text: pairs of byte positions (open, close), in the order of the closing ones.
+/// Brackets of different kinds close one another, as in [`bracketed_end`].
+pub fn bracket_pairs(text: &str) -> Vec<(usize, usize)> {
+    let (mut open, mut pairs) = (Vec::new(), Vec::new());
+    for (at, c) in text.char_indices() {
+        match c {
+            '(' | '[' | '{' => open.push(at),
+            ')' | ']' | '}' => pairs.extend(open.pop().map(|from| (from, at))),
+            _ => {}
+        }
+    }
+    pairs
+}
+
 /// Name and indices of an indexed variable, as `M(1,2)` or `M[0][1]`; `None` for any other text.
 pub fn indexed_name(text: &str) -> Option<(&str, Vec<&str>)> {
     let open = text.find(['(', '['])?;

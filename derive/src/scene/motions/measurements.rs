@@ -1,5 +1,6 @@
 //! Tables of measured quantities, from CSV files.
 
+use crate::csv_text::{csv_error_message, csv_head_span, csv_line_span};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest_name_advice, shortened_for_message};
 use crate::model::TIME;
 use std::ops::Range;
@@ -30,8 +31,8 @@ impl MeasuredTable {
         };
         let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(source.text.as_bytes());
         let no_table = |error: csv::Error| {
-            let place = error.position().map_or(0..0, |position| line_span(source, position));
-            wrong(place, format!("the file is no CSV: {error}"), "give a head with names, and rows of as many numbers")
+            let place = error.position().map_or(0..0, |position| csv_line_span(source, position));
+            wrong(place, csv_error_message(&error), "give a head with names, and rows of as many numbers")
         };
         let heads = reader.headers().map_err(no_table)?.clone();
         let names: Vec<String> = heads.iter().map(str::to_owned).collect();
@@ -41,9 +42,8 @@ impl MeasuredTable {
             return Err(wrong(0..0, message, "give each column a name of its own"));
         }
         if names.len() == 1 && names[0].contains([';', '\t']) {
-            let head = 0..source.text.find(['\r', '\n']).unwrap_or(source.text.len());
             let message = "the columns are not separated by commas".to_owned();
-            return Err(wrong(head, message, "separate the names and the numbers by commas"));
+            return Err(wrong(csv_head_span(source), message, "separate the names and the numbers by commas"));
         }
         let rows = reader.records().take(MOST_ROWS + 1).collect::<Result<Vec<_>, _>>().map_err(no_table)?;
         if rows.is_empty() {
@@ -106,27 +106,16 @@ impl MeasuredTable {
     /// Error about a column, with a message and advice.
     #[must_use]
     pub fn column_error(&self, message: String, help: String) -> Diagnostics {
-        let head = self.source.text.find(['\r', '\n']).unwrap_or(self.source.text.len());
-        self.error(0..head, message, help)
+        self.error(csv_head_span(&self.source), message, help)
     }
 
     /// Place of a row in the text of the file.
     fn row_span(&self, row: &csv::StringRecord) -> Range<usize> {
-        row.position().map_or(0..0, |position| line_span(&self.source, position))
+        row.position().map_or(0..0, |position| csv_line_span(&self.source, position))
     }
 
     /// Error about a place of the file.
     fn error(&self, span: Range<usize>, message: String, help: String) -> Diagnostics {
         Diagnostics::new(self.source.clone(), vec![Diagnostic::new(span, message, help)])
     }
-}
-
-/// Place of the line that begins at or after a position, in the text of a file. Empty lines before it are skipped.
-fn line_span(source: &Source, position: &csv::Position) -> Range<usize> {
-    let text = &source.text;
-    let start = usize::try_from(position.byte()).unwrap_or(0).min(text.len());
-    let Some(rest) = text.get(start..) else { return 0..0 };
-    let start = start + (rest.len() - rest.trim_start().len());
-    let length = text[start..].find(['\r', '\n']).unwrap_or(text.len() - start);
-    start..start + length
 }

@@ -121,7 +121,8 @@ impl<'a> ValueReader<'a, '_> {
             names.iter().zip(&rates).filter(|(_, rate)| rate.is_none()).map(|(name, _)| name.as_str()).collect();
         if !missing.is_empty() && self.reader.errors.is_empty() {
             let message = format!("no value for {}", missing.join(", "));
-            self.reader.errors.push(Diagnostic::of_file(message, "give the rate of every speed in [accelerations]"));
+            let advice = "give the rate of every speed in [accelerations]";
+            self.section_error(table, "accelerations", message, advice);
         }
         let start = start?;
         let t = self.model.time().map(|at| start.q[at]);
@@ -129,6 +130,15 @@ impl<'a> ValueReader<'a, '_> {
         let by_rates = || start.u.iter().map(|x| DoubleDouble::from(*x)).collect();
         let u = if let crate::scene::InitialMotion::Speeds(u) = start.exact.motion { u } else { by_rates() };
         Some(MotionSample { t, q: start.exact.q, u, rates: rates.into_iter().collect::<Option<_>>()? })
+    }
+
+    /// Reports an error at a section of a file, or about the file as a whole if it does not have the section.
+    fn section_error(&mut self, table: &'a DeTable<'a>, section: &str, message: String, advice: &str) {
+        let place = self.reader.get(table, section).map(|section| section.span());
+        self.reader.errors.push(match place {
+            Some(place) => Diagnostic::new(place, message, advice),
+            None => Diagnostic::of_file(message, advice),
+        });
     }
 
     /// Reads `[motion]`, `[times]` and `[guess]` of a motion file; `None` after an error is reported.
@@ -156,7 +166,7 @@ impl<'a> ValueReader<'a, '_> {
         if !open.is_empty() && self.model.loops.is_empty() && self.reader.errors.is_empty() {
             let message = format!("no formula for {}", open.join(", "));
             let help = "give every coordinate in [motion]: no loop determines one";
-            self.reader.errors.push(Diagnostic::of_file(message, help));
+            self.section_error(table, "motion", message, help);
         }
         let instants = self.prescribed_instants(table, parameters)?;
         let mut d_dt = Differential::partial(time);

@@ -3,6 +3,8 @@
 //! Between two rows a table is a polynomial. The formula adds up the changes of the signal in all intervals. The
 //! change in an interval depends only on the time spent in it, so no large numbers are subtracted.
 
+#[cfg(feature = "files")]
+use crate::csv_text::csv_error_message;
 use nalgebra::{DMatrix, DVector};
 use std::fmt::Write;
 use std::path::Path;
@@ -72,7 +74,11 @@ fn read_signal_rows(path: &Path, columns: [&str; 2]) -> Result<Vec<(f64, f64)>, 
     })?;
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.text.as_bytes());
     let wrong = |error: csv::Error| {
-        (format!("the table is no CSV: {error}"), "give a head and rows of as many numbers".to_owned())
+        let line = error.position().map_or(1, csv::Position::line);
+        (
+            format!("line {line} of the table: {}", csv_error_message(&error)),
+            "give a head and rows of as many numbers".to_owned(),
+        )
     };
     let heads = reader.headers().map_err(wrong)?.clone();
     let place = |name: &str| {

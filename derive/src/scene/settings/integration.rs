@@ -3,7 +3,7 @@
 
 use crate::algebra::Rational;
 use crate::algebra::value::rational_value::rational_value_of_pi;
-use crate::diagnostic::{Diagnostic, UnknownName, nearest_name_advice};
+use crate::diagnostic::{UnknownName, nearest_name_advice};
 use crate::mechanics::SingularDistance;
 use crate::scene::numbers::number_reader::ValueReader;
 use crate::scene::numbers::scene_number::Number;
@@ -206,7 +206,9 @@ impl<'a> ValueReader<'a, '_> {
         let atol = self.absolute_tolerance(section, p);
         if rtol == 0.0 && atol == AbsoluteTolerance::Uniform(0.0) {
             let help = "give at least one tolerance above zero";
-            self.reader.errors.push(Diagnostic::of_file("rtol and atol are both zero", help));
+            // The defaults are above zero, so that the section states both.
+            let place = section.and_then(|section| self.reader.get(section, "atol")).map(|value| value.span());
+            self.reader.error(place.unwrap_or_default(), "rtol and atol are both zero", help);
         }
         let project = self.choice(section, "project", &ProjectionTarget::ALL.map(ProjectionTarget::name));
         let solve = self.choice(section, "solve", &SOLVES);

@@ -138,7 +138,7 @@ impl<'a> ValueReader<'a, '_> {
 pub fn load_output(text: &str, model: &mut Model) -> Result<SceneOutput, Diagnostics> {
     let source = Source::from_text("--output", text);
     let mut values = ValueReader::new(TomlReader::new(&source), model);
-    let formula = Located { text: text.to_owned(), span: 0..text.len(), exact: true };
+    let formula = Located { text: source.text.clone(), span: 0..source.text.len(), exact: true };
     let value = values.output_formula(&formula);
     values.reader.finish()?;
     Ok(SceneOutput { name: text.trim().to_owned(), value: value.expect("reported if missing") })

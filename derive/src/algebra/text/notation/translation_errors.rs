@@ -2,6 +2,7 @@
 
 use super::symbol_names::Unknown;
 use crate::algebra::text::parse::ParseError;
+use crate::plain_text::with_visible_characters;
 use std::ops::Range;
 
 /// Creates an error with a place, a message and a help text.
@@ -17,6 +18,6 @@ pub(super) fn untranslatable_symbol_error(span: Range<usize>, (message, help): U
 /// Character at byte `at` in the form in which error messages show it, with its byte range.
 pub(super) fn character_at(text: &str, at: usize) -> (String, Range<usize>) {
     let c = text[at..].chars().next().unwrap_or(' ');
-    let shown = if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
+    let shown = with_visible_characters(&c.to_string()).replace('\n', "\\n");
     (shown, at..at + c.len_utf8())
 }

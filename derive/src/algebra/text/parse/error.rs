@@ -1,6 +1,7 @@
 //! Errors in the text of an expression: place, description and advice.
 
 use crate::algebra::{Arena, PowerError};
+use crate::plain_text::with_visible_characters;
 use std::ops::Range;
 
 /// Error in the text of an expression, with its place, a description and advice.
@@ -53,7 +54,7 @@ impl ParseError {
             _ if found.is_alphabetic() => "names have ASCII letters only: write `alpha` for the Greek letter",
             _ => "allowed are numbers, names, + - * / ^ ( ) and functions such as sin(q1)",
         };
-        let found = if found.is_control() { found.escape_default().to_string() } else { found.to_string() };
+        let found = with_visible_characters(&found.to_string()).replace('\n', "\\n");
         error(span, format!("unexpected `{found}`"), Some(help))
     }
 

@@ -242,7 +242,7 @@ impl<'a> LatexCursor<'a> {
             if let (Token::Number(digits), 0) = (mark, open)
                 && digits.len() > 1
             {
-                let help = format!("write it in braces: {{{digits}}}; without them only {} is meant", &digits[..1]);
+                let help = format!("write it in braces: `{{{digits}}}`; without them only {} is meant", &digits[..1]);
                 return Err(translation_error(self.here(), format!("is `{digits}` all below or above?"), &help));
             }
             self.at += 1;

@@ -305,7 +305,7 @@ impl Formula<'_, '_> {
         }
         match self.cursor.peek() {
             Some(Token::Number(digits)) if digits.len() > 1 => {
-                let help = format!("write it in braces: {{{digits}}}");
+                let help = format!("write it in braces: `{{{digits}}}`");
                 Err(translation_error(place, format!("is `{digits}` all of {what}?"), &help))
             }
             Some(Token::Number(_) | Token::Letter(_) | Token::Command(_)) => self.factor(),
