@@ -246,7 +246,9 @@ fn check_text(path: &Path, text: &str, is_sample: bool) {
             let words = ["-fsyntax-only", "-std=c11", "-Wcomment", "-Werror", "-x", "c"];
             drop(complaint("cc", &words, path).map(|why| fail(&why)));
         }
-        "mjs" | "js" if is_sample && !path.to_string_lossy().contains('\\') => drop(complaint("node", &["--check"], path).map(|why| fail(&why))),
+        "mjs" | "js" if is_sample && !path.to_string_lossy().contains('\\') => {
+            drop(complaint("node", &["--check"], path).map(|why| fail(&why)))
+        }
         _ => {}
     }
 }
