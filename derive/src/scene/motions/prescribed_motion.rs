@@ -134,7 +134,7 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Reports an error at a section of a file, or about the file as a whole if it does not have the section.
     fn section_error(&mut self, table: &'a DeTable<'a>, section: &str, message: String, advice: &str) {
-        let place = self.reader.get(table, section).map(|section| section.span());
+        let place = self.reader.get(table, section).map(toml::Spanned::span);
         self.reader.errors.push(match place {
             Some(place) => Diagnostic::new(place, message, advice),
             None => Diagnostic::of_file(message, advice),

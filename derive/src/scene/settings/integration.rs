@@ -207,7 +207,7 @@ impl<'a> ValueReader<'a, '_> {
         if rtol == 0.0 && atol == AbsoluteTolerance::Uniform(0.0) {
             let help = "give at least one tolerance above zero";
             // The defaults are above zero, so that the section states both.
-            let place = section.and_then(|section| self.reader.get(section, "atol")).map(|value| value.span());
+            let place = section.and_then(|section| self.reader.get(section, "atol")).map(toml::Spanned::span);
             self.reader.error(place.unwrap_or_default(), "rtol and atol are both zero", help);
         }
         let project = self.choice(section, "project", &ProjectionTarget::ALL.map(ProjectionTarget::name));
