@@ -60,7 +60,7 @@ pub fn join(robot: &mut Robot) {
         let gap = (one.first_pose.position - one.second_pose.position).norm();
         let apart = if gap > CLOSED { format!(", and stays open by {} m", number_text(gap)) } else { String::new() };
         let text = format!("connection {}: it joins parts that are fixed to one another{apart}", one.name);
-        Omission::add(&mut robot.omissions, text);
+        Omission::add(&mut robot.omissions, &text);
     }
     for joint in robot.couplings.iter_mut().flat_map(|one| std::iter::once(&mut one.follower).chain(&mut one.leader)) {
         move_joint(joint, &places);
@@ -121,7 +121,7 @@ fn fix_massless_ends(robot: &mut Robot) {
         robot.actuators.retain(|one| one.joint.body != at);
         for joint in robot.bodies[at].joints.drain(..) {
             let text = format!("motion of the joint {}: it moves no mass, and is fixed", joint.name);
-            Omission::add(&mut robot.omissions, text);
+            Omission::add(&mut robot.omissions, &text);
         }
     }
 }

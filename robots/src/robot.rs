@@ -319,8 +319,8 @@ impl Robot {
 
 impl Omission {
     /// Counts a part that was left out; parts with the same text are counted together.
-    pub fn add(list: &mut Vec<Self>, text: String) {
-        Self::merge(list, Self { text: message_text(&text), count: 1 });
+    pub fn add(list: &mut Vec<Self>, text: &str) {
+        Self::merge(list, Self { text: message_text(text), count: 1 });
     }
 
     /// Adds parts that were left out; parts with the same text are counted together.

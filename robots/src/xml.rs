@@ -46,7 +46,7 @@ impl Reading {
 
     /// Counts a part of the file that is left out or simplified.
     pub fn omit(&self, text: impl Into<String>) {
-        Omission::add(&mut self.omissions.borrow_mut(), text.into());
+        Omission::add(&mut self.omissions.borrow_mut(), &text.into());
     }
 
     /// Shape of a mesh with a name, of which the frame has the pose `pose`: the box at its bounds. `None` after

@@ -36,7 +36,7 @@ pub mod observer;
 mod overrides;
 pub mod pictures;
 pub mod preparation;
-pub mod rigorous;
+mod rigorous;
 mod scene;
 mod scratch_pool;
 mod simulation;

@@ -99,7 +99,7 @@ impl Writer<'_> {
             .friction
             .push(format!("{name}_friction = {{ on = \"{body}\"{against}, {kind}, smoothing = \"{slow}\" }}"));
         let text = "the jump of dry friction at rest: the friction is smoothed below a rate of 0.01";
-        Omission::add(&mut self.omissions, text.to_owned());
+        Omission::add(&mut self.omissions, text);
     }
 
     /// Writes a rotor without mass on the ground that turns with the joint's coordinate: it adds the armature to the

@@ -68,7 +68,7 @@ impl Writer<'_> {
             }
             Solid::Ellipsoid(semi_axes) => {
                 let text = "form of an ellipsoid: it is drawn as a sphere";
-                Omission::add(&mut self.omissions, text.to_owned());
+                Omission::add(&mut self.omissions, text);
                 entries.push(("", sphere(semi_axes.sum() / 3.0), place.middle));
             }
             Solid::Plane => entries.push(("", format!("kind = \"ground\", axis = {axis}"), place.middle)),

@@ -213,5 +213,5 @@ fn instant_with_sign(zero: f64, end: f64, value: &impl Fn(f64) -> Ball<f64>) -> 
     const DISTANCES: i32 = 60;
     let whole = end - zero;
     let tried = (0..DISTANCES).map(|k| zero + whole * f64::exp2(f64::from(k - DISTANCES)));
-    tried.into_iter().find(|x| *x != zero && Sign::of(value(*x)).is_some()).unwrap_or(end)
+    tried.into_iter().find(|x| Sign::of(value(*x)).is_some()).unwrap_or(end)
 }
