@@ -165,7 +165,7 @@ fn set_page_scene_values(
     scenes: Vec<Scene>,
     model: &mut Mechanism,
     set: &[String],
-) -> Result<(Vec<Scene>, Vec<(String, f64)>), Failure> {
+) -> Result<(Vec<Scene>, SetNumbers), Failure> {
     let (mut list, mut values) = (Vec::new(), Vec::new());
     for scene in scenes {
         let (scene, of_scene) = set_scene_values(scene, model, set)?;
@@ -179,6 +179,9 @@ fn set_page_scene_values(
     }
     Ok((list, values))
 }
+
+/// Numbers that the option `--set` replaces, as (name, value in SI units).
+type SetNumbers = Vec<(String, f64)>;
 
 /// Derivation of each formulation, or the reason why the model does not support it.
 type Derivations = Vec<(Formulation, Result<DerivationInSteps, String>)>;
@@ -211,7 +214,7 @@ struct PageRuns<'a> {
     /// Code of each printed set of equations.
     printed: Vec<PrintedSystem>,
     /// Numbers that replace those of the scene files, as (name, value in SI units).
-    set: Vec<(String, f64)>,
+    set: SetNumbers,
 }
 
 /// Runs of one scene by all sets of equations.
@@ -246,7 +249,7 @@ impl<'a> PageRuns<'a> {
         model: &'a Mechanism,
         study: &'a ModelAnalysis,
         derivations: &Derivations,
-        set: Vec<(String, f64)>,
+        set: SetNumbers,
     ) -> Result<Self, Failure> {
         let mut derived = Vec::new();
         for (f, _) in derivations.iter().filter(|(_, result)| result.is_ok()) {

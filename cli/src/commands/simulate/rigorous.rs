@@ -173,17 +173,18 @@ fn ball_in_words(ball: Ball) -> String {
         return "no bound".to_owned();
     }
     let nearest = ball.centre.hi();
-    let determined = (nearest.abs() / ball.radius).log10().ceil();
+    let is_determined = |digit: &i32| ball.radius * 10f64.powi(*digit) < nearest.abs();
+    let determined = (0..32).take_while(is_determined).count();
     // The printed digits are exact decimals, so their distance from the centre is bounded like any other number.
     let printed = match determined {
-        d if d <= 0.0 => "0".to_owned(),
-        d if d < 15.0 => with_significant_digits(nearest, d as usize + 1),
-        d => {
+        0 => "0".to_owned(),
+        1..15 => with_significant_digits(nearest, determined + 1),
+        _ => {
             let all = ball.centre.to_string();
             let plain = all.strip_suffix("e0").unwrap_or(&all);
             let (digits, power) = plain.split_at(plain.find('e').unwrap_or(plain.len()));
             // A sign and a point stand beside the digits.
-            digits.chars().take(d as usize + 3).chain(power.chars()).collect()
+            digits.chars().take(determined + 3).chain(power.chars()).collect()
         }
     };
     let error = Ball::<DoubleDouble>::decimal(&printed) - Ball::point(ball.centre);
