@@ -30,13 +30,13 @@ fn boxes_ranges_and_claims_are_printed() {
         tripos_in(folder.path(), &[&["simulate", "scene.toml", "--rigorous"][..], &claims].concat());
     assert_eq!(status, 1, "a claim is false: {err}");
     let ranges: Vec<&str> = out.lines().skip_while(|line| !line.starts_with("proved for all t")).collect();
-    expect![[r#"
+    expect![[r"
         proved for all t from 0 s to 3.14159 s
           x is between -1.00235 and 1.00034
           u is between -1.00543 and 8.88732e-4
 
         x < 1.001: proved at all instants
-        u > -1/2: proved to be false at an instant before t = 0.523607 s, and proved up to t = 0.523592 s"#]]
+        u > -1/2: proved to be false at an instant before t = 0.523607 s, and proved up to t = 0.523592 s"]]
     .assert_eq(&ranges.join("\n"));
     assert!(out.contains("enclosed in balls of 32 digits") && out.contains("the motion exists up to t = 3.14159 s"));
 }

@@ -73,7 +73,10 @@ fn catch_messages() {
         std::panic::set_hook(Box::new(move |info| {
             if std::thread::current().name().is_some_and(|name| name.starts_with("campaign ")) {
                 let place = info.location().map_or(String::new(), |l| format!("{}:{}", l.file(), l.line()));
-                let message = info.payload_as_str().unwrap_or("no text").to_owned();
+                let payload = info.payload();
+                let text = payload.downcast_ref::<&str>().copied();
+                let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+                let message = text.unwrap_or("no text").to_owned();
                 PANIC.with_borrow_mut(|last| *last = (place, message));
             } else {
                 before(info);
@@ -143,8 +146,7 @@ fn tried_cases(
     share: &Share,
     mut case: impl FnMut(&mut Random) -> Answer,
 ) -> BTreeMap<String, (u64, u64, String)> {
-    let count =
-        number("TRIPOS_FUZZ").map_or(share.short, |all| (u128::from(all) * u128::from(share.long) / 10_000_000) as u64);
+    let count = number("TRIPOS_FUZZ").map_or(share.short, |all| all.saturating_mul(share.long) / 10_000_000);
     let first = number("TRIPOS_FUZZ_FIRST").unwrap_or(0);
     let count = number("TRIPOS_FUZZ_COUNT").unwrap_or(count);
     let watched = watchdog(reader);

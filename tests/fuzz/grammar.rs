@@ -64,11 +64,10 @@ fn variable(notation: Notation, random: &mut Random) -> String {
         (Notation::Tripos, 2) => format!("force(A on B) @ N [{}]", random.below(4)),
         (Notation::Matlab, 0) => format!("z({})", random.below(9)),
         (Notation::Matlab, 1) => format!("p.{name}"),
-        (Notation::Python, 0) => format!("x[{}]", random.below(9)),
+        (Notation::Python | Notation::C, 0) => format!("x[{}]", random.below(9)),
         (Notation::Python, 1) => format!("p['{name}']"),
         (Notation::Python, 2) => format!("Derivative({name}, t)"),
         (Notation::Python, 3) => format!("{name}.diff(t)"),
-        (Notation::C, 0) => format!("x[{}]", random.below(9)),
         (Notation::C, 1) => format!("p->{name}"),
         _ => name.to_owned(),
     }

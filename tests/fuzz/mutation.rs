@@ -164,7 +164,7 @@ pub fn mutated(text: &str, other: &str, random: &mut Random) -> String {
         4 | 5 => {
             let words = words(text);
             let Some(old) = random.one_of(&words) else { return (*random.one(&TOKENS[..])).to_owned() };
-            text.replacen(old, *random.one(&TOKENS[..]), 1 + random.below(3))
+            text.replacen(old, random.one::<&str>(&TOKENS[..]), 1 + random.below(3))
         }
         6 => {
             let words = words(text);

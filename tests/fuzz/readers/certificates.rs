@@ -25,9 +25,10 @@ fn checked_batch(certificate: &str, folder: &Path, count: usize, random: &mut Ra
     let _ = std::fs::remove_dir_all(folder);
     std::fs::create_dir_all(folder).unwrap();
     for at in 0..count {
-        let bytes = match random.chance(85) {
-            true => spoilt(certificate, quoted_text(random), random).into_bytes(),
-            false => spoilt_bytes(certificate.as_bytes(), random),
+        let bytes = if random.chance(85) {
+            spoilt(certificate, quoted_text(random), random).into_bytes()
+        } else {
+            spoilt_bytes(certificate.as_bytes(), random)
         };
         std::fs::write(folder.join(format!("{at:04}.cert")), bytes).unwrap();
     }
@@ -52,7 +53,7 @@ fn certificates() {
         // A case is a batch, so that Python starts once for many certificates.
         campaign("certificates, 200 in a case", &Share { short: 1, long: 30 }, move |random| {
             let refused = checked_batch(&text, &folder.path().join("batch"), BATCH, random);
-            if refused as usize == BATCH { Answer::Refused } else { Answer::Read }
+            if usize::try_from(refused).is_ok_and(|refused| refused == BATCH) { Answer::Refused } else { Answer::Read }
         });
     } else {
         eprintln!("certificates are not fuzzed: there is no Python 3.11");

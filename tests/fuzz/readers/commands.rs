@@ -71,17 +71,13 @@ pub fn checked(words: &[String], output: &CommandOutput) -> Answer {
         0 | 1 | 3 | 130 => Answer::Read,
         2 => {
             let has_reason = json.as_ref().is_some_and(|_| output.output.contains("\"error\""));
-            if output.messages.trim().is_empty() && !has_reason {
-                panic!("a refusal without a reason | {input}");
-            }
+            assert!(!output.messages.trim().is_empty() || has_reason, "a refusal without a reason | {input}");
             if let Some(json) = json.filter(|json| json.get("error").is_some()) {
                 let error = &json["error"];
                 let text = |key: &str| error[key].as_str().unwrap_or_default().to_owned();
                 let message = text("message").replace('\n', " ");
                 check_text("message", &message, &format!("{input} {}", output.messages));
-                if text("help").is_empty() {
-                    panic!("a refusal without a hint | {message}");
-                }
+                assert!(!text("help").is_empty(), "a refusal without a hint | {message}");
             }
             Answer::Refused
         }
@@ -295,10 +291,8 @@ fn states_of_evaluate() {
         let text = spoilt(STATE, quoted_text(random), random);
         tried(&text);
         let place = |name: &str| folder.path().join(name).display().to_string();
-        match random.chance(80) {
-            true => std::fs::write(place("at.toml"), &text).unwrap(),
-            false => std::fs::write(place("at.toml"), spoilt_bytes(text.as_bytes(), random)).unwrap(),
-        }
+        let bytes = if random.chance(80) { text.into_bytes() } else { spoilt_bytes(text.as_bytes(), random) };
+        std::fs::write(place("at.toml"), bytes).unwrap();
         let words = [
             "evaluate".to_owned(),
             place("model.toml"),

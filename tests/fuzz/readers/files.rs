@@ -5,6 +5,7 @@ use crate::grammar::formula;
 use crate::mutation::spoilt;
 use crate::refusal::check_errors;
 use crate::seeds::{Seed, is_model, is_publication, quoted_text, toml_files};
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use tripos_derive::Model;
@@ -124,9 +125,10 @@ fn files_of_scenes() {
         if random.chance(10) {
             return checked(scene::model_path_of_scene(&source));
         }
-        match random.chance(50) {
-            true => checked(scene::load(&source, &mut model)),
-            false => checked(scene::load_scene_with_inputs(&source, &mut model)),
+        if random.chance(50) {
+            checked(scene::load(&source, &mut model))
+        } else {
+            checked(scene::load_scene_with_inputs(&source, &mut model))
         }
     });
 }
@@ -150,15 +152,15 @@ fn state_text(model: &Model, random: &mut Random) -> String {
     };
     let mut text = String::from("[state]\n");
     for c in &model.coordinates {
-        text += &format!("{} = {}\n", c.name, value(random));
+        let _ = writeln!(text, "{} = {}", c.name, value(random));
     }
     for u in &model.speeds {
-        text += &format!("{} = {}\n", u.name, value(random));
+        let _ = writeln!(text, "{} = {}", u.name, value(random));
     }
     if random.chance(40) {
         text += "[accelerations]\n";
         for u in &model.speeds {
-            text += &format!("\"{}'\" = {}\n", u.name, value(random));
+            let _ = writeln!(text, "\"{}'\" = {}", u.name, value(random));
         }
     } else if random.chance(50) {
         text = text.replace("[state]", "[motion]") + "[times]\nfrom = 0\nto = 1\ncount = 3\n";
@@ -166,7 +168,7 @@ fn state_text(model: &Model, random: &mut Random) -> String {
     if random.chance(40) {
         text += "[parameters]\n";
         for p in &model.parameters {
-            text += &format!("{} = {}\n", p.name, value(random));
+            let _ = writeln!(text, "{} = {}", p.name, value(random));
         }
     }
     text

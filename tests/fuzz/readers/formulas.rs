@@ -34,18 +34,20 @@ impl SymbolNames for Letters {
     fn name_of_variable(&mut self, name: &str) -> Result<String, Unknown> {
         let inside: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
         let name = inside.trim_end_matches('_');
-        match name.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            true => Ok(name.to_owned()),
-            false => Err(("a variable without a name".to_owned(), Some("declare it".to_owned()))),
+        if name.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            Ok(name.to_owned())
+        } else {
+            Err(("a variable without a name".to_owned(), Some("declare it".to_owned())))
         }
     }
 }
 
 /// Refuses the names that begin with `zz`, and declares all others.
 fn resolve(arena: &mut Arena, name: &str) -> Result<Expr, (String, Option<String>)> {
-    match name.starts_with("zz") {
-        true => Err(("an unknown name".to_owned(), Some("declare it".to_owned()))),
-        false => Ok(arena.symbol(name)),
+    if name.starts_with("zz") {
+        Err(("an unknown name".to_owned(), Some("declare it".to_owned())))
+    } else {
+        Ok(arena.symbol(name))
     }
 }
 

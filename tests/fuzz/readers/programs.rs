@@ -26,7 +26,7 @@ fn named_files() -> Vec<NamedFile> {
         let publication = std::fs::read_to_string(file.path.with_file_name("publication.toml")).ok()?;
         let model = Model::read(&file.path.with_file_name("model.toml")).ok()?;
         let name = file.path.file_name()?.to_str()?;
-        publication.contains(name).then_some(NamedFile { publication, model, file })
+        publication.contains(name).then_some(NamedFile { file, publication, model })
     };
     files_with(&["c", "m", "py", "tex"]).into_iter().filter_map(named).collect()
 }

@@ -4,6 +4,7 @@ use crate::campaign::{Answer, Random, Share, campaign, tried};
 use crate::mutation::{spoilt, spoilt_bytes};
 use crate::refusal::check_errors;
 use crate::seeds::{Seed, files_with, quoted_text};
+use std::fmt::Write as _;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::plain_text::is_forbidden;
 use tripos_robots::{Options, import};
@@ -82,7 +83,8 @@ fn binary_stl(random: &mut Random) -> Vec<u8> {
     bytes.extend(u32::try_from(count).unwrap().to_le_bytes());
     for _ in 0..count {
         for _ in 0..12 {
-            bytes.extend((random.decimal(-1.0, 1.0) as f32).to_le_bytes());
+            let eighth = i8::try_from(random.below(200)).unwrap_or(0);
+            bytes.extend((f32::from(eighth) / 8.0).to_le_bytes());
         }
         bytes.extend([0, 0]);
     }
@@ -95,10 +97,10 @@ fn mesh_text(is_obj: bool, random: &mut Random) -> String {
     for _ in 0..random.below(5) {
         let mut point = || [0; 3].map(|_| random.decimal(-1.0, 1.0).to_string()).join(" ");
         if is_obj {
-            text += &format!("v {}\nvn {}\n", point(), point());
+            let _ = writeln!(text, "v {}\nvn {}", point(), point());
         } else {
-            let corners: String = (0..3).map(|_| format!("vertex {}\n", point())).collect();
-            text += &format!("facet normal {}\nouter loop\n{corners}endloop\nendfacet\n", point());
+            let corners = [(); 3].map(|()| format!("vertex {}\n", point())).concat();
+            let _ = writeln!(text, "facet normal {}\nouter loop\n{corners}endloop\nendfacet", point());
         }
     }
     text + if is_obj { "f 1 2 3\n" } else { "endsolid part\n" }
@@ -110,12 +112,11 @@ fn meshes() {
     let share = Share { short: 800, long: 50_000 };
     campaign("STL and OBJ", &share, move |random| {
         let is_obj = random.chance(30);
-        let bytes = match is_obj || random.chance(50) {
-            true => {
-                let text = mesh_text(is_obj, random);
-                if random.chance(60) { spoilt(&text, quoted_text(random), random) } else { text }.into_bytes()
-            }
-            false => binary_stl(random),
+        let bytes = if is_obj || random.chance(50) {
+            let text = mesh_text(is_obj, random);
+            if random.chance(60) { spoilt(&text, quoted_text(random), random) } else { text }.into_bytes()
+        } else {
+            binary_stl(random)
         };
         let bytes = if random.chance(50) { spoilt_bytes(&bytes, random) } else { bytes };
         tried(&String::from_utf8_lossy(&bytes));

@@ -3,6 +3,7 @@
 use crate::campaign::{Answer, Random, Share, campaign, tried};
 use crate::grammar::formula;
 use std::collections::BTreeMap;
+use std::collections::HashMap;
 use tripos_derive::algebra::text::notation::{LatexSymbol, Notation, SymbolNames, Unknown, read_symbol, translate};
 use tripos_derive::algebra::text::parse::{ParseError, parse_primed};
 use tripos_derive::algebra::text::print::{latex, latex_name, print_text, print_whole_view, python_of, sympy_of};
@@ -86,9 +87,9 @@ fn formulas_in_python_are_read_as_printed() {
     let share = Share { short: 3000, long: 300_000 };
     campaign("print and read: Python", &share, |random| {
         let print = if random.chance(50) {
-            |arena: &Arena, e| python_of(&print_whole_view(arena, e, &Default::default()))
+            |arena: &Arena, e| python_of(&print_whole_view(arena, e, &HashMap::default()))
         } else {
-            |arena: &Arena, e| sympy_of(&print_whole_view(arena, e, &Default::default()))
+            |arena: &Arena, e| sympy_of(&print_whole_view(arena, e, &HashMap::default()))
         };
         there_and_back(Notation::Python, print, random)
     });

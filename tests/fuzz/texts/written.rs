@@ -67,9 +67,11 @@ const WORDS: [&str; 52] = [
 
 /// A random text of a few hostile words. Prose may have line breaks, names have none.
 fn hostile(is_prose: bool, random: &mut Random) -> String {
-    let words: String = (0..1 + random.below(5))
-        .map(|_| format!("{}{}", random.one(&WORDS[..]), if random.chance(50) { " " } else { "" }))
-        .collect();
+    let mut words = String::new();
+    for _ in 0..=random.below(5) {
+        words += random.one::<&str>(&WORDS[..]);
+        words += if random.chance(50) { " " } else { "" };
+    }
     let text = if is_prose { words } else { words.replace(['\n', '\r'], "") };
     if text.trim().is_empty() { "x".to_owned() } else { text }
 }
@@ -122,9 +124,8 @@ fn write_files(folder: &Path, has_joint: bool, random: &mut Random) {
         "title = {title}\nsource = {printed}\n[[equation]]\nid = {id}\nsection = {section}\nquantity = \"T\"\nprinted = \
          \"m*l^2*omega^2/2\"\nnote = {note}\n"
     );
-    let named = |text: String| match has_joint {
-        true => text.replace("theta", "q_pin").replace("omega", "u_pin"),
-        false => text,
+    let named = |text: String| {
+        if has_joint { text.replace("theta", "q_pin").replace("omega", "u_pin") } else { text }
     };
     let (scene, publication) = (named(scene), named(publication));
     for (file, text) in [("model.toml", model), ("scene.toml", scene), ("publication.toml", publication)] {
@@ -199,7 +200,7 @@ fn check_text(path: &Path, text: &str, is_sample: bool) {
             if let Err(error) = syn::parse_file(text) {
                 fail(&error.to_string());
             }
-            if text.parse().map(has_mark).unwrap_or(true) {
+            if text.parse().map_or(true, has_mark) {
                 fail("it defines the mark");
             }
         }
@@ -241,13 +242,21 @@ fn check_text(path: &Path, text: &str, is_sample: bool) {
                 }
             }
         }
-        "py" if is_sample => drop(complaint("python3", &["-c", PYTHON], path).map(|why| fail(&why))),
+        "py" if is_sample => {
+            if let Some(why) = complaint("python3", &["-c", PYTHON], path) {
+                fail(&why);
+            }
+        }
         "c" | "h" if is_sample => {
             let words = ["-fsyntax-only", "-std=c11", "-Wcomment", "-Werror", "-x", "c"];
-            drop(complaint("cc", &words, path).map(|why| fail(&why)));
+            if let Some(why) = complaint("cc", &words, path) {
+                fail(&why);
+            }
         }
         "mjs" | "js" if is_sample && !path.to_string_lossy().contains('\\') => {
-            drop(complaint("node", &["--check"], path).map(|why| fail(&why)))
+            if let Some(why) = complaint("node", &["--check"], path) {
+                fail(&why);
+            }
         }
         _ => {}
     }
@@ -308,17 +317,20 @@ fn hostile_texts_in_every_format() {
         let (command, file, rest, kind) = command(random);
         write_files(&place, rest.contains(&"urdf") || random.chance(20), random);
         let mut words = vec![(*command).to_owned(), place.join(file).display().to_string()];
-        let is_place = |word: &str| word.starts_with("out") || word.ends_with(".toml");
-        words.extend(rest.iter().map(|word| match is_place(word) {
-            true => place.join(word).display().to_string(),
-            false => (*word).to_owned(),
-        }));
+        let is_toml = |word: &str| std::path::Path::new(word).extension().is_some_and(|end| end == "toml");
+        let is_place = |word: &str| word.starts_with("out") || is_toml(word);
+        words.extend(
+            rest.iter().map(
+                |word| {
+                    if is_place(word) { place.join(word).display().to_string() } else { (*word).to_owned() }
+                },
+            ),
+        );
         let of_file = |name: &str| std::fs::read_to_string(place.join(name)).unwrap();
         tried(&format!("{} | {} | {}", words.join(" "), of_file("model.toml"), of_file("scene.toml")));
         let output = run(&words);
-        if output.status > 1 {
-            panic!("hostile texts are refused by {command} {} | {}", rest.join(" "), output.messages);
-        }
+        let refused = || format!("hostile texts are refused by {command} {} | {}", rest.join(" "), output.messages);
+        assert!(output.status <= 1, "{}", refused());
         let is_sample = random.chance(50);
         let printed = place.join(format!("printed.{kind}"));
         std::fs::write(&printed, &output.output).unwrap();
