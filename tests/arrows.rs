@@ -232,6 +232,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/publication/names/name_meanings.rs",
             "derive/src/scene/families/sweep_grid.rs",
             "derive/src/scene/motions/prescribed_motion.rs",
+            "derive/src/scene/settings/claims.rs",
             "derive/src/scene/settings/outputs.rs",
             "derive/src/scene/starts/state.rs",
             "derive/src/scene/numbers/number_reader.rs",

@@ -58,7 +58,8 @@ const LONGEST_QUOTATION: usize = 200;
 const SHOWN_OF_QUOTATION: usize = 60;
 
 /// Makes a message readable that quotes parts of a file between backticks. Forbidden characters become escapes; line
-/// feeds are kept outside of quotations. A quotation of more than 200 characters is cut after 60. An empty quotation becomes `""`.
+/// feeds are kept outside of quotations. A quotation of more than 200 characters is cut after 60. An empty quotation
+/// becomes `""`.
 ///
 /// ```
 /// use tripos_derive::plain_text::message_text;
