@@ -236,7 +236,6 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/scene/settings/outputs.rs",
             "derive/src/scene/starts/state.rs",
             "derive/src/scene/numbers/number_reader.rs",
-            "run/src/studies/claims.rs",
             "run/src/studies/sweep/shard.rs",
             "cli/src/commands/diff.rs",
             "cli/src/commands/emit.rs",
