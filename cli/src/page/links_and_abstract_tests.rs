@@ -67,6 +67,20 @@ fn an_abstract_is_made_of_values() {
         Mechanism: 1 particle with one degree of freedom.
         Proved: Kane's method, Lagrange's equations and Newton–Euler equations give the same equations of motion, which hold everywhere. The motion has 1 first integral: the energy.
         In print: A <course> report & more: 2 of 5 printed entries are wrong. 2 mistakes cause them. Of 2 printed systems, 1 gives right and 1 gives wrong accelerations, and one does not conserve energy.
-        Simulated: Of 2 scenes, 2 have runs that fail.
+        Simulated: Of 2 scenes, 2 have runs that fail; of 8 claims about motions, 2 are proved and 2 refuted.
         To run it: The fastest run to an error of 1 × 10−6 takes 250 µs: tripos simulate fall <2>.toml --by kane & <sons> --method dop853 --rtol 1e-9 --atol 1e-9."]].assert_eq(&text);
+}
+
+/// Goal: claims about a motion stand on the page with their verdicts, beside the words of the publication. Method: four
+/// claims with all kinds of verdicts.
+#[test]
+fn claims_stand_beside_the_sentences_in_print() {
+    let page = page();
+    let table = text_of(part(&page, "<caption>Claims at all instants of the scene</caption>", "</table>"));
+    for text in
+        ["“the angle <stays>”", "q1 < <2>", "Kane's <method>", "as x < y says", "false, at an instant before 0.25 s"]
+    {
+        assert!(table.contains(text), "{text} in {table}");
+    }
+    assert!(table.contains("proved up to 0.5 s, then open") && table.contains("not judged: no <series>"), "{table}");
 }
