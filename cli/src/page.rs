@@ -64,6 +64,7 @@ fn page_sections(page: &Page) -> String {
     if let Some(published) = &page.study.published {
         out += &print::errata::section(page, published);
     }
+    out += &scenes::claims::section(page);
     out += &page_scenes_section(page);
     out += &model::mechanism::section(page.model);
     out += "<section id=\"equations\">\n<h2>Equations of motion</h2>\n";
@@ -107,6 +108,11 @@ fn table_of_contents(page: &Page) -> String {
     let entries = [
         page.moving.as_ref().map(|_| ("motion", "The motion", Vec::new())),
         page.study.published.as_ref().map(|_| ("errata", "Errata", Vec::new())),
+        page.scenes.iter().any(|scene| !scene.claims.is_empty()).then_some((
+            "claims",
+            "Claims about the motions",
+            Vec::new(),
+        )),
         (!scenes.is_empty()).then_some(("simulation", "Simulation", scenes)),
         Some(("mechanism", "Mechanism", Vec::new())),
         Some(("equations", "Equations of motion", formulations)),

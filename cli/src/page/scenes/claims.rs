@@ -1,13 +1,25 @@
-//! Claims about the motion of a scene on the page, with the verdicts of rigorous runs.
+//! Section of the page with claims about the motions of its scenes, and the verdicts of rigorous runs.
 
-use crate::page::content::{ClaimOutcome, ClaimRow, SceneSection};
-use crate::page::markup::html::{escape, number, rounded_number_html, table, words_html};
+use crate::page::content::{ClaimOutcome, ClaimRow, Page, SceneSection};
+use crate::page::markup::html::{escape, link, number, rounded_number_html, table, words_html};
+use crate::page::scenes::scene::scene_anchor;
 
-/// Returns the HTML of the claims about the motion of a scene, with their verdicts. Empty if the scene has none.
-pub fn section(scene: &SceneSection) -> String {
-    if scene.claims.is_empty() {
-        return String::new();
+/// Returns the HTML section with the claims about the motions of all scenes, and their verdicts. Empty if no scene has a
+/// claim.
+pub fn section(page: &Page) -> String {
+    let scenes = page.scenes.iter().enumerate().filter(|(_, scene)| !scene.claims.is_empty());
+    let tables: String = scenes.map(|(at, scene)| claims_table(scene, at)).collect();
+    if tables.is_empty() {
+        return tables;
     }
+    format!(
+        "<section id=\"claims\">\n<h2>Claims about the motions</h2>\n<p>A rigorous run encloses the exact motion of each \
+         set of equations in boxes. No error of an integration can change its verdicts.</p>\n{tables}</section>\n"
+    )
+}
+
+/// Returns the HTML table of the claims about the motion of the scene with the index `at`.
+fn claims_table(scene: &SceneSection, at: usize) -> String {
     let quotes = scene.claims.iter().any(|claim| !claim.printed.is_empty());
     let columns: &[&str] =
         if quotes { &["In print", "Claim", "Equations", "Verdict"] } else { &["Claim", "Equations", "Verdict"] };
@@ -28,12 +40,12 @@ pub fn section(scene: &SceneSection) -> String {
         cells
     };
     let rows: Vec<Vec<String>> = scene.claims.iter().map(row).collect();
+    let title = if scene.title.is_empty() { &scene.file } else { &scene.title };
+    let command = format!("<p>Again: <code>tripos simulate {} --rigorous</code>.</p>\n", escape(&scene.file));
     format!(
-        "<h4>What is proved about the motion</h4>\n<p>A rigorous run encloses the exact motion of each set of equations \
-         in boxes. No error of an integration can change these verdicts; <code>tripos simulate {} --rigorous</code> \
-         gives them too.</p>\n{}",
-        escape(&scene.file),
-        table("Claims at all instants of the scene", columns, &rows)
+        "<h3>{}</h3>\n{}{command}",
+        link(&scene_anchor(at), &escape(title)),
+        table("At all instants", columns, &rows)
     )
 }
 

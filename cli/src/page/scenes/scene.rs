@@ -3,7 +3,6 @@
 use crate::page::content::{Figure, Page, SceneFact, SceneSection};
 use crate::page::markup::html::{address, escape, foldable_part, folded_html, words_html};
 use crate::page::scenes::advice;
-use crate::page::scenes::claims;
 use crate::page::scenes::outcome;
 use crate::page::scenes::reduced_equations;
 use crate::page::scenes::runs;
@@ -51,7 +50,7 @@ pub fn section(page: &Page, scene: &SceneSection, at: usize, shown: VisiblePart,
 /// Returns the HTML of a scene's section without title and outcome. Long parts are folded.
 fn scene_content(page: &Page, scene: &SceneSection, place: &str, figures: &mut usize) -> String {
     let id = |what: &str| format!("{place}-{what}");
-    let mut out = claims::section(scene);
+    let mut out = String::new();
     if !scene.runs.is_empty() {
         out += &runs::runs_table(page, scene);
     }
