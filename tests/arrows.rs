@@ -299,6 +299,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "cli/src/commands/diff/models.rs",
             "cli/src/commands/identify.rs",
             "cli/src/commands/linearise/notations.rs",
+            "cli/src/commands/simulate/rigorous.rs",
             "cli/src/commands/simulate/sensitivity.rs",
             "cli/src/run_panels.rs",
             "cli/src/page/markup/html.rs",
