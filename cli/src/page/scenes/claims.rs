@@ -4,8 +4,8 @@ use crate::page::content::{ClaimOutcome, ClaimRow, Page, SceneSection};
 use crate::page::markup::html::{escape, link, number, rounded_number_html, table, words_html};
 use crate::page::scenes::scene::scene_anchor;
 
-/// Returns the HTML section with the claims about the motions of all scenes, and their verdicts. Empty if no scene has a
-/// claim.
+/// Returns the HTML section with the claims about the motions of all scenes, and their verdicts. Empty if no scene has
+/// a claim.
 pub fn section(page: &Page) -> String {
     let scenes = page.scenes.iter().enumerate().filter(|(_, scene)| !scene.claims.is_empty());
     let tables: String = scenes.map(|(at, scene)| claims_table(scene, at)).collect();
