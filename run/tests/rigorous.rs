@@ -278,3 +278,44 @@ fn claims_of_a_scene_are_about_their_equations() {
     let kane = enclosed(&scene, Some("kane"), 1, &[]).unwrap();
     assert!(kane.claims.len() == 1 && kane.claims[0].1.refuted_by.is_some());
 }
+
+/// Goal: nothing is refuted by instants at which the motion may be over. Method: x + 0.5 touches 0 at π/2, which may
+/// end the motion, and v > 0 first holds after it. Before it, the claim x > 0 is broken.
+#[test]
+fn nothing_is_refuted_after_a_motion_may_be_over() {
+    let touch = event("touch", "x + 0.5", "either", true);
+    let found = enclosed(&spring_with("", &touch), None, 1, &["v < 0.3", "x > 0"]).unwrap();
+    let [(_, later), (_, earlier)] = found.claims.as_slice() else { panic!("two claims") };
+    assert!(later.refuted_by.is_none() && !later.is_proved(), "{later:?}");
+    assert!(earlier.refuted_by.is_some_and(|by| by < 1.2), "{earlier:?}");
+    assert!(!found.is_whole() && found.last_event().is_some());
+}
+
+/// Goal: a motion that starts where an event function is 0 has not crossed it, if the 0 is exact; a start beside 0
+/// counts by its sign. Method: v = −sin 2 t, and v − 1e-25 m/s, v + 1e-25 m/s.
+#[test]
+fn starts_at_zero_are_exact() {
+    let ends = |zero: &str, direction: &str| {
+        let found = enclosed(&spring_with("", &event("turn", zero, direction, true)), None, 1, &[]).unwrap();
+        let end = found.last_event().expect("v has zeros").clone();
+        assert_eq!(end.count, CrossingCount::One, "{zero}: {end:?}");
+        end.to
+    };
+    let half = std::f64::consts::FRAC_PI_2;
+    assert!((ends("v", "either") - half).abs() < 1e-12);
+    assert!((ends("v - 1e-25", "either") - half).abs() < 1e-12);
+    assert!(ends("v + 1e-25", "either") < 1e-12);
+}
+
+/// Goal: a reference states a proved distance beside the difference of its witnesses, and only for the numbers of its
+/// file. Method: the spring, and the same with another stiffness.
+#[test]
+fn references_state_a_proved_distance() {
+    let mut scene = scene_of(BOUNCER, SWING);
+    let reference = scene.reference(&[1.0, 2.0]).unwrap();
+    assert!(reference.proved.is_some_and(|distance| distance < 1e-19), "{:?}", reference.proved);
+    assert!(reference.how.contains("theorem") && reference.uncertainty < 1e-16, "{}", reference.how);
+    scene.set_number("k", 8.1).unwrap();
+    let reference = scene.reference(&[1.0, 2.0]).unwrap();
+    assert!(reference.proved.is_none() && !reference.how.contains("theorem"), "{}", reference.how);
+}

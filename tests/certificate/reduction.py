@@ -8,6 +8,7 @@ not checked. docs/certificate.md states the format and what is checked.
 """
 import json, sys, tomllib
 from check import MALFORMED, check, check_prime, digest, read, read_certificate, unique
+from claims import rank
 from formula import NextPoint, Refused, Residue, Residues, Scope, need, parse, tree
 from kinematics import NotChecked, check_model, known
 from publication import renamed, symbols_in
@@ -197,21 +198,6 @@ class Known(Scope):
 
 
 def all_in(names, motion): return all(MARK + name in motion for name in names)
-
-
-def rank(matrix):
-    """Rank of a square matrix of residues."""
-    rows, found = [[x.v for x in row] for row in matrix], 0
-    for at in range(len(rows)):
-        pivot = next((k for k in range(found, len(rows)) if rows[k][at]), None)
-        if pivot is None: continue
-        rows[found], rows[pivot] = rows[pivot], rows[found]
-        inverse = pow(rows[found][at], -1, Residue.P)
-        for k in range(found + 1, len(rows)):
-            factor = rows[k][at] * inverse
-            rows[k] = [(x - factor * y) % Residue.P for x, y in zip(rows[k], rows[found])]
-        found += 1
-    return found
 
 
 def check_reduction(text, model=None, scene=None):

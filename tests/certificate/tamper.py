@@ -227,6 +227,36 @@ def spoil_models(count, paths):
     return 1 if wrong else 0
 
 
+def refuse_all(argv, checker, tampered, kinds):
+    """Checks the certificates argv[1:], and that argv[0] tampered ones of each are refused; returns the exit status.
+
+    `checker(text)` returns a summary and the statements that were left unchecked; `tampered(text, rng, kind)` a forged
+    text and what was changed, or None. A forgery that leaves more statements unchecked counts as refused.
+    """
+    count, wrong, refused, errors = int(argv[0]), [], {}, (NotChecked, *ERRORS)
+    sys.setrecursionlimit(20_000)
+    for path in argv[1:]:
+        text, rng = read(path), random.Random(path.rsplit("/", 1)[-1])
+        summary, missing = checker(text)
+        print(f"{path}: {summary}")
+        done, at = 0, 0
+        while done < count:
+            found, at = tampered(text, rng, at % kinds), at + 1
+            if not found: continue
+            done += 1
+            forged, what = found
+            try:
+                summary, more = checker(forged)
+                if not set(more) - set(missing): wrong.append(f"{path}: accepted although changed: {what}: {summary}")
+                else: refused.setdefault(what, []).append(f"not checked: {more}")
+            except errors as why: refused.setdefault(what, []).append(str(why))
+    for what, reasons in refused.items():
+        print(f"{len(reasons)} with a changed {what} are refused, such as: {reasons[0][:100]}")
+    count = sum(map(len, refused.values()))
+    print(*wrong, f"{count} tampered certificates are refused, {len(wrong)} accepted", sep="\n")
+    return 1 if wrong else 0
+
+
 def main(argv):
     if argv[0] == "models": return spoil_models(int(argv[1]), argv[2:])
     count, wrong, refused, tried = int(argv[0]), [], {}, []

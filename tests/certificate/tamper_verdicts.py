@@ -6,13 +6,9 @@ The forger renews all hashes and the prime, so that only the mathematics and the
 if the files are accepted and COUNT tampered ones of each are refused.
 """
 import json, random, re, sys
-from check import MALFORMED, digest, read
-from formula import Refused
-from kinematics import NotChecked
-from tamper import change_formula, proved_prime, spoilt, written
+from check import digest
+from tamper import change_formula, proved_prime, refuse_all, spoilt, written
 from verdicts import RIGHT, check_verdicts
-
-ERRORS = (Refused, NotChecked, *MALFORMED)
 
 
 def renewed(lines, is_renewed=True):
@@ -37,7 +33,7 @@ def with_other_formula(lines, rng):
         text = lines[2]["publication_text"]
         m = re.search(rf'id = "{re.escape(claim["entry"])}"\n(?:\w+ = .*\n)*?printed = "([^"=]+)"', text)
         if not m: continue
-        lines[2]["publication_text"] = text[:m.start(1)] + spoilt(m[1], rng) + text[m.end(1):]
+        lines[2]["publication_text"] = text[:m.start(1)] + spoilt(m[1], rng) + " + 1" + text[m.end(1):]
         return "printed formula"
     return None
 
@@ -111,6 +107,7 @@ def tampered(text, rng, kind):
         lines[1]["proof"] = written(proof, True)
         return renewed(lines), what
     if kind == 15:
+        if "[[equation]]" not in lines[2]["publication_text"]: return None
         lines[2]["publication_text"] = lines[2]["publication_text"].replace("[[equation]]", "[[definition]]", 1)
         return renewed(lines), "kind of an entry"
     if kind == 16:
@@ -134,26 +131,5 @@ def tampered(text, rng, kind):
     return renewed(lines), "quantity of a name"
 
 
-def main(argv):
-    count, wrong, refused = int(argv[0]), [], {}
-    sys.setrecursionlimit(20_000)
-    for path in argv[1:]:
-        text, rng = read(path), random.Random(path.rsplit("/", 1)[-1])
-        print(f"{path}: {check_verdicts(text)[0]}")
-        done, at = 0, 0
-        while done < count:
-            found, at = tampered(text, rng, at % 20), at + 1
-            if not found: continue
-            done += 1
-            forged, what = found
-            try: wrong.append(f"{path}: accepted although changed: {what}: {check_verdicts(forged)}")
-            except ERRORS as why: refused.setdefault(what, []).append(str(why))
-    for what, reasons in refused.items():
-        print(f"{len(reasons)} with a changed {what} are refused, such as: {reasons[0][:100]}")
-    count = sum(map(len, refused.values()))
-    print(*wrong, f"{count} tampered certificates are refused, {len(wrong)} accepted", sep="\n")
-    return 1 if wrong else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(refuse_all(sys.argv[1:], check_verdicts, tampered, 20))

@@ -49,6 +49,8 @@ mod robots_as_urdf;
 mod scene;
 mod shelf;
 mod sketch;
+#[path = "../support/slider.rs"]
+mod slider;
 mod spoilt;
 mod steady;
 mod support;

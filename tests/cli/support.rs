@@ -7,22 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// A model that is read in no time: a mass on a spring, which moves as cos t from x = 1.
-pub const SLIDER: &str = r#"
-name = "Slider"
-parameters.m = { unit = "kg", value = 1, positive = true }
-parameters.k = { unit = "N/m", value = 1 }
-coordinates.x = { unit = "m" }
-speeds.u = "x'"
-inertial = { frame = "A", origin = "O" }
-points.P = { from = "O", frame = "A", position = ["x", 0, 0] }
-particles.slider = { point = "P", mass = "m" }
-[forces.spring]
-on = "slider"
-at = "P"
-frame = "A"
-vector = ["-k*x", 0, 0]
-"#;
+pub use crate::slider::SLIDER;
 
 /// The folder of the workspace.
 pub fn root() -> PathBuf {

@@ -11,4 +11,6 @@ mod mutation;
 mod readers;
 mod refusal;
 mod seeds;
+#[path = "../support/slider.rs"]
+mod slider;
 mod texts;

@@ -27,8 +27,8 @@ impl ClaimVerdict {
     }
 
     /// Goes on with the verdict: from the last instant to an instant of the ball `t`, s, the larger side less the
-    /// smaller side is in the ball `distance`.
-    pub(super) fn go_on(&mut self, distance: Ball<f64>, t: Ball<f64>) {
+    /// smaller side is in the ball `distance`. Where the motion may be over, nothing is refuted.
+    pub(super) fn go_on(&mut self, distance: Ball<f64>, t: Ball<f64>, may_be_over: bool) {
         if distance.low() > 0.0 && distance.is_defined() {
             if !self.is_open {
                 self.proved_to = Some(t.low());
@@ -36,7 +36,8 @@ impl ClaimVerdict {
             return;
         }
         self.is_open = true;
-        if distance.is_defined() && distance.high() <= 0.0 && self.refuted_by.is_none() {
+        let is_broken = distance.is_defined() && distance.high() <= 0.0;
+        if is_broken && !may_be_over && self.refuted_by.is_none() {
             self.refuted_by = Some(t.high());
         }
     }

@@ -4,7 +4,7 @@
 //! slope of a function is bounded away from 0 over an interval, the function has at most one zero there, and it has
 //! one if its signs at the ends differ.
 
-use tripos_traits::{Ball, Direction};
+use tripos_traits::{Ball, Direction, DoubleDouble, Scalar};
 
 /// Instants between which an event occurs in a rigorous run.
 #[derive(Clone, Debug)]
@@ -65,6 +65,8 @@ pub struct EventSearch {
     pub is_terminal: bool,
     /// Last proved sign of the event function; `None` before the first one.
     sign: Option<Sign>,
+    /// True if the event function is exactly 0 at the start.
+    starts_at_zero: bool,
     /// Instants since the last proved sign at which the event function may be 0; `None` if there are none.
     window: Option<Window>,
 }
@@ -82,9 +84,16 @@ struct Window {
 }
 
 impl EventSearch {
-    /// Search for an event before the first instant.
-    pub fn new(event: usize, direction: Direction, is_terminal: bool) -> Self {
-        Self { event, direction, is_terminal, sign: None, window: None }
+    /// Search for an event whose function is in the ball `start` at the first instant.
+    pub fn new(event: usize, direction: Direction, is_terminal: bool, start: Ball) -> Self {
+        let starts_at_zero = start.radius == 0.0 && start.centre == DoubleDouble::int(0);
+        let sign = Sign::of(Ball::narrowed(start));
+        Self { event, direction, is_terminal, sign, starts_at_zero, window: None }
+    }
+
+    /// True if the event may have occurred since the last proved sign.
+    pub fn may_have_occurred(&self) -> bool {
+        self.window.is_some()
     }
 
     /// Goes on over instants at which the event function has a proved sign. Returns the crossings that this proves.
@@ -96,8 +105,8 @@ impl EventSearch {
             (Some(before), None) if before != sign => CrossingCount::AtLeastOne,
             // A function with a slope of one sign that has equal signs at both ends is not 0 between them.
             (Some(_), Some(_)) => return None,
-            // A motion that begins where the function is 0 has not crossed it.
-            (None, Some(slope)) if slope == sign => return None,
+            // A motion that begins exactly where the function is 0 has not crossed it.
+            (None, Some(slope)) if slope == sign && self.starts_at_zero => return None,
             _ => CrossingCount::Open,
         };
         let counts = match self.direction {
@@ -117,14 +126,9 @@ impl EventSearch {
         Some(Crossing { event: self.event, from: window.from, to: window.to, count, shown: window.shown })
     }
 
-    /// Goes on over the instants from `from` to `to`, s, at which the event function may be 0 and has the slope
-    /// `slope`. No crossing is proved before the next sign.
-    pub fn go_on_without_sign(
-        &mut self,
-        (from, to): (f64, f64),
-        slope: Option<Sign>,
-        shown: &[Ball<f64>],
-    ) -> Option<Crossing> {
+    /// Goes on over the instants from `from` to `to`, s, at which the event function may be 0 and has a slope of the
+    /// sign `slope`, if one is proved. No crossing is proved before the next sign.
+    pub fn go_on_without_sign(&mut self, (from, to): (f64, f64), slope: Option<Sign>, shown: &[Ball<f64>]) {
         self.window = Some(match self.window.take() {
             None => Window { from, to, slope, shown: shown.to_vec() },
             Some(window) => Window {
@@ -134,7 +138,6 @@ impl EventSearch {
                 shown: window.shown.iter().zip(shown).map(|(a, b)| a.hull(*b)).collect(),
             },
         });
-        None
     }
 
     /// Ends the search: the crossing that is open at the end of the run, if there is one.

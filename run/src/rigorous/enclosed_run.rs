@@ -82,8 +82,8 @@ pub struct RigorousScene {
     pub claims: Vec<(SceneClaim, ClaimVerdict)>,
     /// Crossings of the scene's events, in the order of time.
     pub crossings: Vec<Crossing>,
-    /// True if the last crossing ends the motion, or may end it.
-    pub is_ended_by_event: bool,
+    /// Index of the crossing that ends the motion, or that may end it; `None` if no event does.
+    pub ended_by: Option<usize>,
     /// Enclosure of the states of the equations, and the reason why it ended.
     pub run: RigorousRun,
     /// Remarks about the choice of the equations, and what was not looked for.
@@ -94,7 +94,7 @@ impl RigorousScene {
     /// Crossing of the event that ends the motion, or that may end it; `None` if no event does.
     #[must_use]
     pub fn last_event(&self) -> Option<&Crossing> {
-        self.crossings.last().filter(|_| self.is_ended_by_event)
+        self.ended_by.map(|at| &self.crossings[at])
     }
 
     /// True if the motion is enclosed to the end of the span, or to an event that is proved to end it.
@@ -349,28 +349,33 @@ impl EnclosedProblem {
             values.truncate(self.names.len());
             values
         };
-        let at_start = shown_in(Ball::int(0), &self.start);
-        let search = |at: &usize| {
+        let at_start = wide.observed(&self.parameters, Ball::int(0), &self.start);
+        let (shown_at_start, _) = at_start.split_at(self.names.len());
+        let event_functions = &at_start[at_start.len() - self.events.len()..];
+        let search = |(at, start): (&usize, &Ball)| {
             let event = &observed.scene.events[*at];
-            EventSearch::new(*at, event.direction, event.terminal)
+            EventSearch::new(*at, event.direction, event.terminal, *start)
         };
         let mut watch = MotionWatch {
             narrow,
             slopes,
             parameters: self.parameters.iter().map(|x| Ball::narrowed(*x)).collect(),
             from: Ball::narrowed(from),
-            ranges: at_start.iter().map(|x| Interval::new(x.low(), x.high())).collect(),
+            ranges: shown_at_start.iter().map(|x| Interval::new(x.low(), x.high())).collect(),
             verdicts: vec![ClaimVerdict::default(); observed.claims.len()],
-            events: self.events.iter().map(search).collect(),
+            events: self.events.iter().zip(event_functions).map(search).collect(),
             crossings: Vec::new(),
-            is_ended: false,
         };
         let observe = |passage: &Passage<'_>| watch.watch(passage).is_continue() && !self.follow.is_interrupted();
         let options = RigorousOptions { step_limit: self.step_limit(request), ..request.options };
         let run = enclose(series, &self.parameters, from, &self.start, &instants, &options, observe);
         watch.finish();
-        let MotionWatch { ranges, mut verdicts, mut crossings, is_ended, .. } = watch;
+        let MotionWatch { ranges, mut verdicts, mut crossings, .. } = watch;
         crossings.sort_by(|a, b| a.from.total_cmp(&b.from));
+        let ended_by = crossings.iter().position(|crossing| observed.scene.events[crossing.event].terminal);
+        if let Some(end) = ended_by.map(|at| crossings[at].to) {
+            crossings.retain(|crossing| crossing.from <= end);
+        }
         let boxes = run.boxes.iter().zip(&instants);
         let boxes = boxes.map(|(state, t)| shown_in(*t - from, state)).collect();
         let t = instants.iter().take(run.boxes.len()).map(|t| t.centre.hi()).collect();
@@ -383,7 +388,7 @@ impl EnclosedProblem {
             ranges,
             claims: Vec::new(),
             crossings,
-            is_ended_by_event: is_ended,
+            ended_by,
             run,
             notes,
         };

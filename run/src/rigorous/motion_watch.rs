@@ -32,8 +32,14 @@ pub struct MotionWatch<'a> {
     pub events: Vec<EventSearch>,
     /// Crossings of events so far.
     pub crossings: Vec<Crossing>,
-    /// True once a terminal event has ended the motion, or may have ended it.
-    pub is_ended: bool,
+}
+
+/// Bounds of the observed quantities at all instants of a part of a step.
+struct PartBounds {
+    /// Bounds of the values.
+    values: Vec<Ball<f64>>,
+    /// Bounds of the rates, per second; empty if the values decide all claims and events.
+    rates: Vec<Ball<f64>>,
 }
 
 /// Event function over a part of a step.
@@ -41,8 +47,8 @@ pub struct MotionWatch<'a> {
 enum EventInPart {
     /// The function has this sign at all instants of the part.
     Signed(Sign),
-    /// The function may be 0, and has a slope of this sign at all instants of the part.
-    Sloped(Sign),
+    /// The function may be 0, and its slope is in this ball, without 0, at all instants of the part.
+    Sloped(Ball<f64>),
     /// Nothing is proved.
     Unknown,
 }
@@ -66,13 +72,10 @@ impl MotionWatch<'_> {
     /// Goes on over a part of a step, between two instants in s after its start. A part that leaves a claim or an event
     /// undecided is divided up to `divisions` times.
     fn watch_part(&mut self, passage: &Passage<'_>, (a, b): (f64, f64), divisions: u32) -> ControlFlow<()> {
-        let mut values = self.values(passage, (a, b));
-        if self.is_undecided(&values) {
-            values = self.tightened(passage, (a, b), &values);
-        }
-        let events = self.events_in_part(passage, (a, b), &values);
+        let bounds = self.bounds(passage, (a, b));
+        let events = self.events_in_part(passage, (a, b), &bounds);
         if divisions > 0 {
-            let cuts = self.cuts(passage, (a, b), &values, &events);
+            let cuts = self.cuts(passage, (a, b), &bounds.values, &events);
             if !cuts.is_empty() {
                 let starts = std::iter::once(a).chain(cuts.iter().copied());
                 let ends = cuts.iter().copied().chain([b]);
@@ -80,28 +83,54 @@ impl MotionWatch<'_> {
             }
         }
         let (t, shown) = (passage.t + Ball::between(a, b), self.ranges.len());
+        let values = bounds.values;
+        let mut is_ended = false;
         for (search, found) in self.events.iter_mut().zip(&events) {
+            let instants = (t.low(), t.high());
             let crossing = match found {
                 EventInPart::Signed(sign) => search.go_on_with_sign(*sign),
                 EventInPart::Sloped(slope) => {
-                    search.go_on_without_sign((t.low(), t.high()), Some(*slope), &values[..shown])
+                    search.go_on_without_sign(instants, Sign::of(*slope), &values[..shown]);
+                    None
                 }
-                EventInPart::Unknown => search.go_on_without_sign((t.low(), t.high()), None, &values[..shown]),
+                EventInPart::Unknown => {
+                    search.go_on_without_sign(instants, None, &values[..shown]);
+                    None
+                }
             };
-            self.is_ended |= crossing.is_some() && search.is_terminal;
+            is_ended |= crossing.is_some() && search.is_terminal;
             self.crossings.extend(crossing);
         }
-        let end = passage.t + Ball::point(b);
-        if self.is_ended {
+        if is_ended {
             return ControlFlow::Break(());
         }
         for (range, x) in self.ranges.iter_mut().zip(&values) {
             *range = Interval::new(x.low().min(range.lo()), x.high().max(range.hi()));
         }
+        let end = passage.t + Ball::point(b);
+        let may_be_over = self.events.iter().any(|search| search.is_terminal && search.may_have_occurred());
         for (verdict, distance) in self.verdicts.iter_mut().zip(&values[shown..]) {
-            verdict.go_on(*distance, end);
+            verdict.go_on(*distance, end, may_be_over);
         }
         ControlFlow::Continue(())
+    }
+
+    /// Bounds of the observed quantities between two instants of a step. If the values leave a claim or an event
+    /// undecided, each is the narrower of its bound and of the one that follows from the value in the middle and the
+    /// rate.
+    fn bounds(&self, passage: &Passage<'_>, (a, b): (f64, f64)) -> PartBounds {
+        let values = self.values(passage, (a, b));
+        if !self.is_undecided(&values) {
+            return PartBounds { values, rates: Vec::new() };
+        }
+        let middle = 0.5 * a + 0.5 * b;
+        let away = Ball::between(a, b) - Ball::point(middle);
+        let (at_middle, rates) = (self.values(passage, (middle, middle)), self.rates(passage, (a, b)));
+        let tighter = |((value, centre), rate): ((&Ball<f64>, &Ball<f64>), &Ball<f64>)| {
+            let near = *centre + *rate * away;
+            if near.is_defined() && (near.radius < value.radius || !value.is_defined()) { near } else { *value }
+        };
+        PartBounds { values: values.iter().zip(&at_middle).zip(&rates).map(tighter).collect(), rates }
     }
 
     /// Observed quantities at all instants between two instants of a step, s after its start.
@@ -115,19 +144,6 @@ impl MotionWatch<'_> {
         let mut claims = self.verdicts.iter().zip(&values[self.ranges.len()..]);
         claims.any(|(verdict, distance)| verdict.is_undecided(*distance))
             || values[self.first_event()..].iter().any(|value| Sign::of(*value).is_none())
-    }
-
-    /// Observed quantities between two instants of a step, where `values` are bounds on them: the narrower of each
-    /// bound and of the one that follows from the value in the middle and the rates.
-    fn tightened(&self, passage: &Passage<'_>, (a, b): (f64, f64), values: &[Ball<f64>]) -> Vec<Ball<f64>> {
-        let middle = 0.5 * a + 0.5 * b;
-        let away = Ball::between(a, b) - Ball::point(middle);
-        let (at_middle, rates) = (self.values(passage, (middle, middle)), self.rates(passage, (a, b)));
-        let tighter = |((value, centre), rate): ((&Ball<f64>, &Ball<f64>), &Ball<f64>)| {
-            let near = *centre + *rate * away;
-            if near.is_defined() && (near.radius < value.radius || !value.is_defined()) { near } else { *value }
-        };
-        values.iter().zip(&at_middle).zip(&rates).map(tighter).collect()
     }
 
     /// Index of the first event function among the observed quantities.
@@ -151,20 +167,22 @@ impl MotionWatch<'_> {
     }
 
     /// Proved properties of each event function between two instants of a step, where the observed quantities have the
-    /// given values.
-    fn events_in_part(&self, passage: &Passage<'_>, (a, b): (f64, f64), values: &[Ball<f64>]) -> Vec<EventInPart> {
+    /// given bounds.
+    fn events_in_part(&self, passage: &Passage<'_>, (a, b): (f64, f64), bounds: &PartBounds) -> Vec<EventInPart> {
         let first = self.first_event();
-        let signs: Vec<Option<Sign>> = values[first..].iter().map(|value| Sign::of(*value)).collect();
+        let signs: Vec<Option<Sign>> = bounds.values[first..].iter().map(|value| Sign::of(*value)).collect();
         if signs.iter().all(Option::is_some) {
             return signs.into_iter().flatten().map(EventInPart::Signed).collect();
         }
-        let rates = self.rates(passage, (a, b));
         let [at_start, at_end] = [a, b].map(|x| self.values(passage, (x, x)));
         let found = |(at, sign): (usize, &Option<Sign>)| {
             if let Some(sign) = sign {
                 return EventInPart::Signed(*sign);
             }
-            let Some(slope) = Sign::of(rates[first + at]) else { return EventInPart::Unknown };
+            let slope = bounds.rates[first + at];
+            if Sign::of(slope).is_none() {
+                return EventInPart::Unknown;
+            }
             let at_start = Sign::of(at_start[first + at]);
             // Between instants with equal signs, a function with a slope of one sign is not 0.
             match at_start {
@@ -186,12 +204,9 @@ impl MotionWatch<'_> {
     ) -> Vec<f64> {
         let (shown, first) = (self.ranges.len(), self.first_event());
         for (at, event) in events.iter().enumerate() {
-            if !matches!(event, EventInPart::Sloped(_)) {
-                continue;
-            }
-            let slope = self.rates(passage, (a, b))[first + at];
+            let EventInPart::Sloped(slope) = event else { continue };
             let value = |x: f64| self.values(passage, (x, x))[first + at];
-            if let Some((low, high)) = contracted_zero((a, b), slope, value) {
+            if let Some((low, high)) = contracted_zero((a, b), *slope, value) {
                 let [low, high] = [(low, a), (high, b)].map(|(zero, end)| instant_with_sign(zero, end, &value));
                 let cuts: Vec<f64> = [low, high].into_iter().filter(|x| *x > a && *x < b).collect();
                 if high - low < 0.5 * (b - a) {

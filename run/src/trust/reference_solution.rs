@@ -2,8 +2,8 @@
 //!
 //! The equations of motion run in numbers of 32 digits, twice the precision of a double, by DOP853
 //! with eliminated accelerations. Doubles could not reach the tolerances. Two runs are made, by two
-//! formulations and at two tolerances. Their difference is the uncertainty of the reference, unless a rigorous run
-//! proves how near the exact motion is.
+//! formulations and at two tolerances. Their difference is the uncertainty of the reference. Beside it stands what a
+//! rigorous run proves of the distance from the exact motion.
 
 use crate::code::{Code, CodePreparation, compiled_code, runnable_code};
 use crate::error::{Error, refused_scene_error};
@@ -13,7 +13,9 @@ use crate::rigorous::enclosed_run::{EnclosedInstants, RigorousRequest, enclose_s
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::mechanics::SingularDistance;
-use tripos_derive::scene::{AccelerationSolution, Scene, default_outputs};
+use tripos_derive::scene::{
+    AccelerationSolution, EnclosedStart, ExactStart, InitialMotion, Scene, default_outputs, enclosed_scene,
+};
 use tripos_sim::rigorous_run::RigorousOptions;
 use tripos_sim::work_precision::work_precision_error;
 use tripos_sim::{
@@ -27,8 +29,8 @@ pub struct ReferenceSolution {
     pub times: Vec<f64>,
     /// State at each instant of `times`: coordinates, then generalized speeds, in SI units.
     pub states: Vec<Vec<DoubleDouble>>,
-    /// Largest error between the two reference runs, measured by [`work_precision_error`], or the proved distance if
-    /// that is smaller. It is without unit, relative to the size of the states.
+    /// Largest error between the two reference runs, measured by [`work_precision_error`]. It is without unit, relative
+    /// to the size of the states.
     pub uncertainty: f64,
     /// Largest distance of the states from the exact motion of the scene, as a rigorous run proves it, measured like
     /// [`work_precision_error`]; `None` if none is proved.
@@ -80,8 +82,7 @@ impl ReferenceSolution {
             "DOP853 in double-double (32 digits), {}: they differ by {difference:.1e}{more}{theorem}",
             names.join(" against ")
         );
-        let difference = larger(difference, DoubleDouble::EPSILON);
-        let uncertainty = proved.map_or(difference, |distance| distance.min(difference));
+        let uncertainty = larger(difference, DoubleDouble::EPSILON);
         Ok(Self { times: times.to_vec(), states: kept, uncertainty, proved, how })
     }
 
@@ -97,6 +98,10 @@ impl ReferenceSolution {
 fn proved_distance(model: &Mechanism, scene: &Scene, times: &[f64], states: &[Vec<DoubleDouble>]) -> Option<f64> {
     let (first, last) = (*times.first()?, *times.last()?);
     if first < scene.span.0 || last > scene.span.1 {
+        return None;
+    }
+    let file = enclosed_scene(scene, model, &[]).ok()?;
+    if !has_numbers_of_file(&scene.exact, &file.start) {
         return None;
     }
     let outputs = default_outputs(model);
@@ -115,6 +120,23 @@ fn proved_distance(model: &Mechanism, scene: &Scene, times: &[f64], states: &[Ve
     };
     let errors = states.iter().zip(&found.boxes).flat_map(|(x, exact)| x.iter().zip(exact).map(error));
     Some(errors.fold(0.0, larger))
+}
+
+/// True if a start has the numbers of its scene's file: each differs from the file's by two roundings at most.
+fn has_numbers_of_file(start: &ExactStart, file: &EnclosedStart) -> bool {
+    let is_near = |(x, of_file): (&DoubleDouble, &Ball)| {
+        let distance = (Ball::point(*x) - *of_file).size();
+        distance <= 2.0 * f64::EPSILON * x.to_f64().abs()
+    };
+    let are_near = |numbers: &[DoubleDouble], of_file: &[Ball]| {
+        numbers.len() == of_file.len() && numbers.iter().zip(of_file).all(is_near)
+    };
+    let motion = match (&start.motion, &file.motion) {
+        (InitialMotion::Speeds(x), InitialMotion::Speeds(of_file))
+        | (InitialMotion::Rates(x), InitialMotion::Rates(of_file)) => are_near(x, of_file),
+        _ => false,
+    };
+    motion && are_near(&start.parameters, &file.parameters) && are_near(&start.q, &file.q)
 }
 
 /// Equations of one formulation from which a reference is computed.

@@ -1,9 +1,10 @@
 //! Certificates of proofs, which a checker in Python reads.
 
-use super::commands::{SLIDER, run};
+use super::commands::run;
 use crate::campaign::{Answer, Random, Share, campaign, tried};
 use crate::mutation::{spoilt, spoilt_bytes};
 use crate::seeds::{quoted_text, root};
+use crate::slider::SLIDER;
 use std::path::Path;
 use std::process::Command;
 

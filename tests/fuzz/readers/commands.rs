@@ -5,6 +5,7 @@ use crate::grammar::formula;
 use crate::mutation::{mutated, spoilt, spoilt_bytes};
 use crate::refusal::check_text;
 use crate::seeds::{quoted_text, root};
+use crate::slider::SLIDER;
 use serde_json::Value;
 use std::ffi::OsString;
 use std::path::Path;
@@ -13,23 +14,6 @@ use std::time::Duration;
 use tripos_cli::{CommandOutput, interrupt_command, run_command};
 use tripos_derive::algebra::text::notation::Notation;
 use tripos_derive::plain_text::is_forbidden;
-
-/// Model that is read in no time: a mass on a spring.
-pub const SLIDER: &str = r#"
-name = "Slider"
-parameters.m = { unit = "kg", value = 1, positive = true }
-parameters.k = { unit = "N/m", value = 1 }
-coordinates.x = { unit = "m" }
-speeds.u = "x'"
-inertial = { frame = "A", origin = "O" }
-points.P = { from = "O", frame = "A", position = ["x", 0, 0] }
-particles.slider = { point = "P", mass = "m" }
-[forces.spring]
-on = "slider"
-at = "P"
-frame = "A"
-vector = ["-k*x", 0, 0]
-"#;
 
 /// Short scene of [`SLIDER`].
 pub const SCENE: &str = "model = \"model.toml\"\ntitle = \"Slide\"\nspan = [0, 0.1]\noutputs = [\"x\", \"u\", { name = \"p\", value = \"m*u\" }]\n[start]\nx = 1\nu = 0\n";
