@@ -42,7 +42,8 @@ pub fn sin_cos(x: Wide) -> (Wide, Wide) {
         of_cosine = Wide::int(1) - square * of_cosine / Wide::int((2 * k - 1) * 2 * k);
     }
     let (sine, cosine) = ((rest * of_sine).widened(REST * rest.size()), of_cosine.widened(REST));
-    let (sine, cosine) = match turns.rem_euclid(4.0) {
+    // `rem_euclid` needs the standard library. All these whole numbers are exact.
+    let (sine, cosine) = match turns - 4.0 * libm::floor(0.25 * turns) {
         0.0 => (sine, cosine),
         1.0 => (cosine, -sine),
         2.0 => (-sine, -cosine),
