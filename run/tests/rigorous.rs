@@ -280,7 +280,7 @@ fn claims_of_a_scene_are_about_their_equations() {
 }
 
 /// Goal: nothing is refuted by instants at which the motion may be over. Method: x + 0.5 touches 0 at π/2, which may
-/// end the motion, and v > 0 first holds after it. Before it, the claim x > 0 is broken.
+/// end the motion, and v first exceeds 0.3 m/s after it. Before it, the claim x > 0 is broken.
 #[test]
 fn nothing_is_refuted_after_a_motion_may_be_over() {
     let touch = event("touch", "x + 0.5", "either", true);
