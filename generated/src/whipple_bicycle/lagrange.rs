@@ -11,7 +11,7 @@ pub use super::code::lagrange::{
 
 /// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows x, y, psi, phi, theta, delta, thR, thF, constraint contact, constraint rear_1, constraint rear_2, constraint front_1, constraint front_2. Entries that are not listed are 0.
 ///
-/// 874 operations, 6 sines and cosines, 2 other functions, step by step: the code names every term.
+/// 872 operations, 6 sines and cosines, 2 other functions, step by step: the code names every term.
 #[doc(inline)]
 pub use super::code::lagrange::mass_matrix;
 

@@ -6,7 +6,8 @@
 //! A fraction is identically zero exactly if its numerator is zero. Two equal fractions may still
 //! have different denominators, since factors are found by trial division and not by factorization.
 
-use super::ring::{Ring, RingPolynomial};
+use super::ring::Ring;
+use super::ring_polynomial::RingPolynomial;
 use crate::algebra::Rational;
 use std::rc::Rc;
 

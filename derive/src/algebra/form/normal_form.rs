@@ -10,7 +10,8 @@
 
 use super::fraction::Fraction;
 use super::polynomial::{LaurentPolynomial, Monomial};
-use super::ring::{GENERATORS, Ring, RingPolynomial, Square};
+use super::ring::Ring;
+use super::ring_polynomial::{GENERATORS, RingPolynomial, Square};
 use crate::algebra::term::elementary::{angle_atoms, divided_term_by_term, is_exponential, is_plain_angle_atom};
 use crate::algebra::value::zero_test::{has_roots, zero_test_is_proof};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};

@@ -13,157 +13,16 @@
 //! Work is counted, not timed: after [`Ring::budget`] multiplications of terms the result is
 //! `None`, on every machine alike.
 //! Absent on purpose: greatest common divisors. Fractions cancel by trial division, which is exact
-//! here, and a zero test needs no more.
+//! here, and a zero test needs no more. Most trial divisions fail, and [`RingPoint`] refutes them at little cost.
 
+use super::ring_point::RingPoint;
+use super::ring_polynomial::{GENERATORS, Powers, RingPolynomial, Square};
 use crate::algebra::{Expr, Rational};
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 
-/// Largest number of generators (variables) that a ring may have.
-pub const GENERATORS: usize = 64;
 /// Largest number of terms of a polynomial that is searched as a square root.
 const MOST_ROOT_TERMS: usize = 60;
-
-/// Exponents of a monomial, one for each generator (a variable of the polynomial ring). Their
-/// lexicographic order is a monomial order.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Powers([u8; GENERATORS]);
-
-impl Powers {
-    /// Exponents of the monomial 1: all are 0.
-    pub const ONE: Self = Self([0; GENERATORS]);
-
-    /// Exponent of a generator in the monomial. The generator is a variable of the ring, given by
-    /// its number.
-    pub fn exponent_of(&self, generator: usize) -> u8 {
-        self.0[generator]
-    }
-
-    /// Returns the monomial with the exponent of one generator (a variable of the ring) replaced.
-    fn with_exponent(mut self, generator: usize, exponent: u8) -> Self {
-        self.0[generator] = exponent;
-        self
-    }
-
-    /// Product of two monomials; `None` if an exponent exceeds 255.
-    fn times(&self, other: &Self) -> Option<Self> {
-        let mut result = *self;
-        for (a, b) in result.0.iter_mut().zip(&other.0) {
-            *a = a.checked_add(*b)?;
-        }
-        Some(result)
-    }
-
-    /// Quotient `self` / `other` of two monomials; `None` if an exponent would be negative.
-    fn over(&self, other: &Self) -> Option<Self> {
-        let mut result = *self;
-        for (a, b) in result.0.iter_mut().zip(&other.0) {
-            *a = a.checked_sub(*b)?;
-        }
-        Some(result)
-    }
-
-    /// Square root of the monomial; `None` if an exponent is odd.
-    pub fn square_root_of_monomial(&self) -> Option<Self> {
-        let mut result = *self;
-        for n in &mut result.0 {
-            if *n % 2 == 1 {
-                return None;
-            }
-            *n /= 2;
-        }
-        Some(result)
-    }
-
-    /// Splits the monomial into two factors: one in the given generators (variables of the ring),
-    /// one in all other generators.
-    pub fn split(&self, generators: &[usize]) -> (Self, Self) {
-        let (mut inside, mut outside) = (Self::ONE, *self);
-        for at in generators {
-            inside.0[*at] = self.0[*at];
-            outside.0[*at] = 0;
-        }
-        (inside, outside)
-    }
-
-    /// Largest monomial that divides both monomials.
-    fn common(&self, other: &Self) -> Self {
-        let mut result = *self;
-        for (a, b) in result.0.iter_mut().zip(&other.0) {
-            *a = (*a).min(*b);
-        }
-        result
-    }
-}
-
-/// Polynomial of a [`Ring`], with rational coefficients.
-#[derive(Clone, PartialEq, Eq, Hash, Default)]
-pub struct RingPolynomial {
-    /// Terms as pairs (exponents, coefficient), in descending order: the leading term comes first.
-    pub terms: Vec<(Powers, Rational)>,
-}
-
-impl RingPolynomial {
-    /// Creates a constant polynomial.
-    pub fn constant(value: &Rational) -> Self {
-        if value.is_zero() { Self::default() } else { Self { terms: vec![(Powers::ONE, value.clone())] } }
-    }
-
-    /// True if the polynomial is 0.
-    pub fn is_zero(&self) -> bool {
-        self.terms.is_empty()
-    }
-
-    /// Value of a constant polynomial other than 0; `None` for 0 and for polynomials that are not
-    /// constant.
-    pub fn as_constant(&self) -> Option<&Rational> {
-        match self.terms.as_slice() {
-            [(Powers::ONE, k)] => Some(k),
-            _ => None,
-        }
-    }
-
-    /// Product of the polynomial and a number, which must not be 0.
-    pub fn scaled(&self, k: &Rational) -> Self {
-        Self { terms: self.terms.iter().map(|(m, c)| (*m, c.mul(k))).collect() }
-    }
-
-    /// Splits the polynomial into its content, which is a number, and its primitive part. The
-    /// primitive part has integer coefficients without a common factor, and its first coefficient
-    /// is positive.
-    pub fn split_content(&self) -> (Rational, Self) {
-        let Some((_, first)) = self.terms.first() else { return (Rational::ONE, Self::default()) };
-        let size = self.terms.iter().fold(Rational::ZERO, |g, (_, k)| g.greatest_common_divisor(k));
-        let content = if first.is_negative() { size.neg() } else { size };
-        let inverse = content.reciprocal().expect("a coefficient is not zero");
-        (content, self.scaled(&inverse))
-    }
-
-    /// Largest monomial that divides every term of the polynomial.
-    pub fn common_powers(&self) -> Powers {
-        let mut terms = self.terms.iter();
-        let first = terms.next().map_or(Powers::ONE, |(m, _)| *m);
-        terms.fold(first, |common, (m, _)| common.common(m))
-    }
-
-    /// True if the generator occurs in the polynomial. The generator is a variable of the ring,
-    /// given by its number.
-    fn mentions(&self, generator: usize) -> bool {
-        self.terms.iter().any(|(m, _)| m.exponent_of(generator) > 0)
-    }
-}
-
-/// Square of a generator (a variable of the polynomial ring), as far as it is known.
-#[derive(Clone)]
-pub enum Square {
-    /// The generator is independent: its square is not rewritten.
-    Free,
-    /// The generator is a sine; the number is that of the generator for its cosine, and sin²
-    /// becomes 1 − cos².
-    Sine(usize),
-    /// The generator is the square root of the polynomial, which replaces its square.
-    Root(RingPolynomial),
-}
 
 /// Polynomial ring over the rational numbers: its generators (the variables), and a budget of
 /// multiplications.
@@ -173,6 +32,10 @@ pub struct Ring {
     generators: Vec<(Expr, Square)>,
     /// Number of each generator (a variable of the ring), by the expression that it stands for.
     numbers: FxHashMap<Expr, usize>,
+    /// Largest exponent of each generator in a reduced monomial: 1 if its square is known, and else 255.
+    largest: Powers,
+    /// Point at which divisions that must fail are recognized.
+    point: RingPoint,
     /// Number of multiplications of terms that are still allowed. When it is used up, operations of
     /// the ring return `None`.
     pub budget: u64,
@@ -182,7 +45,8 @@ impl Ring {
     /// Creates a ring without generators. The budget is the number of multiplications of terms that
     /// are allowed.
     pub fn new(budget: u64) -> Self {
-        Self { generators: Vec::new(), numbers: FxHashMap::default(), budget }
+        let largest = Powers([u8::MAX; GENERATORS]);
+        Self { generators: Vec::new(), numbers: FxHashMap::default(), largest, point: RingPoint::new(), budget }
     }
 
     /// Expression for which a generator stands. The generator is a variable of the ring, given by
@@ -207,6 +71,10 @@ impl Ring {
         if self.generators.len() == GENERATORS {
             return None;
         }
+        if !matches!(square, Square::Free) {
+            self.largest = self.largest.with_exponent(self.generators.len(), 1);
+        }
+        self.point.add_generator(&square);
         self.generators.push((e, square));
         self.numbers.insert(e, self.generators.len() - 1);
         Some(self.generators.len() - 1)
@@ -260,6 +128,11 @@ impl Ring {
     /// their known values. `None` if the ring's budget of multiplications is used up or an exponent
     /// exceeds 255.
     fn reduce_into(&mut self, sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) -> Option<()> {
+        if !powers.exceeds(&self.largest) {
+            self.count_work(1)?;
+            add_ring_term(sum, powers, k);
+            return Some(());
+        }
         let mut pending = vec![(powers, k)];
         while let Some((powers, k)) = pending.pop() {
             self.count_work(1)?;
@@ -318,6 +191,12 @@ impl Ring {
     /// Every polynomial is p + q · sin, with unique p and q that contain no sine. So a / b is a
     /// polynomial exactly if the norm b · b̄, which contains no sine, divides a · b̄ term by term.
     pub fn divide(&mut self, a: &RingPolynomial, b: &RingPolynomial) -> Option<RingPolynomial> {
+        if b.terms.len() > 1 {
+            self.count_work(a.terms.len() + b.terms.len())?;
+            if self.point.refutes_division(a, b) {
+                return None;
+            }
+        }
         let (mut above, mut below) = (a.clone(), b.clone());
         // Generators are removed from the latest to the first: a root's radicand has only earlier
         // generators.
@@ -361,15 +240,32 @@ impl Ring {
         while let Some((m, c)) = above.terms.first() {
             let step = (m.over(lead)?, c.mul(&inverse));
             self.count_work(below.terms.len() + above.terms.len())?;
-            let mut sum: FxHashMap<Powers, Rational> = above.terms.into_iter().collect();
-            for (n, d) in &below.terms {
-                add_ring_term(&mut sum, step.0.times(n)?, step.1.mul(d).neg());
-            }
-            above = polynomial_of_sum(sum);
+            above = without_multiple(above, &step, below)?;
             quotient.push(step);
         }
         Some(RingPolynomial { terms: quotient })
     }
+}
+
+/// Difference p − k · m · q for the factor (m, k), without reduction by squares; `None` if an exponent exceeds 255. A
+/// product with a monomial keeps the order of terms, so that both lists are merged.
+fn without_multiple(p: RingPolynomial, (m, k): &(Powers, Rational), q: &RingPolynomial) -> Option<RingPolynomial> {
+    let mut terms = Vec::with_capacity(p.terms.len() + q.terms.len());
+    let mut kept = p.terms.into_iter().peekable();
+    for (n, d) in &q.terms {
+        let (powers, mut sum) = (m.times(n)?, k.mul(d).neg());
+        while let Some(term) = kept.next_if(|(other, _)| *other > powers) {
+            terms.push(term);
+        }
+        if let Some((_, c)) = kept.next_if(|(other, _)| *other == powers) {
+            sum = c.add(&sum);
+        }
+        if !sum.is_zero() {
+            terms.push((powers, sum));
+        }
+    }
+    terms.extend(kept);
+    Some(RingPolynomial { terms })
 }
 
 /// Conjugate of the polynomial in one generator: the sign of this variable is changed.

@@ -31,7 +31,7 @@ impl Simplifier {
     /// term.
     pub const LIMIT: usize = 600;
     /// Largest number of multiplications of terms for bringing a term over a common denominator.
-    pub const FRACTION_BUDGET: u64 = 50_000;
+    pub const FRACTION_BUDGET: u64 = 20_000;
     /// Largest number of multiplications of terms for expanding sines of multiple angles and sums
     /// of angles.
     pub const ANGLE_BUDGET: u64 = 5_000;

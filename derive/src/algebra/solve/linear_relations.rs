@@ -4,7 +4,7 @@
 use super::linear::solve_linear;
 use crate::algebra::form::fraction::over_common_denominator;
 use crate::algebra::form::normal_form::Normalizer;
-use crate::algebra::form::ring::{Powers, RingPolynomial};
+use crate::algebra::form::ring_polynomial::{Powers, RingPolynomial};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::value::rank::pivot_rows_and_columns;
 use crate::algebra::{Arena, Expr};

@@ -89,21 +89,25 @@ pub use super::code::folding::start;
 ///     18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))/(4*m_l_squared_by_12*(9 +
 ///     cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) - 9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
 ///     cos(theta2_from_theta1)*cos(theta3_from_theta1)))))
-/// u4_from_u3' = (3*sin(theta2_from_theta1)*(7*u4_from_u3^2 + u5_from_u3^2*(1 - 3*cos(theta2_from_theta1)) + u3*(13*u3 + 14*u4_from_u3 + 2*u5_from_u3*(1 -
-///     3*cos(theta2_from_theta1)))) - 3*u5_from_u3'*(4 + 3*cos(theta2_from_theta1)*(1 + cos(theta2_from_theta1))) +
-///     cos(theta3_from_theta1)*(9*sin(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2 + 2*u3*(u3 + u4_from_u3 + u5_from_u3)) - u5_from_u3'*(7 +
-///     9*cos(theta3_from_theta1)) + 3*cos(theta2_from_theta1)*(u5_from_u3'*(2 + cos(theta3_from_theta1)) - u5_from_u3^2*sin(theta3_from_theta1) -
-///     2*u3*(sin(theta3_from_theta1)*(u3 + u5_from_u3 + 6*cos(theta2_from_theta1)*(u3 + u4_from_u3 + u5_from_u3)) - 3*sin(theta2_from_theta1)*(2*u3 + 2*u4_from_u3 +
-///     u5_from_u3 + 2*cos(theta3_from_theta1)*(u3 + u4_from_u3 + u5_from_u3))) + 3*sin(theta2_from_theta1)*(2*u4_from_u3^2 + u5_from_u3^2 +
-///     2*cos(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2) + 2*u5_from_u3'*sin(theta3_from_theta1)) -
-///     3*cos(theta2_from_theta1)*(2*sin(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2) - u5_from_u3'*(1 + 2*cos(theta3_from_theta1)))) +
-///     3*sin(theta2_from_theta1)*(7*u4_from_u3^2 + u5_from_u3^2*(6 + cos(theta3_from_theta1)) + u3*(u3*(15 + 2*cos(theta3_from_theta1)) + 14*u4_from_u3 +
-///     2*u5_from_u3*(6 + cos(theta3_from_theta1))) + u5_from_u3'*sin(theta3_from_theta1))) + sin(theta3_from_theta1)*(9*u4_from_u3^2 + 7*u5_from_u3^2 + 2*u3*(9*u3 +
-///     9*u4_from_u3 + 7*u5_from_u3) + 9*u5_from_u3'*sin(theta2_from_theta1) + 3*cos(theta2_from_theta1)*(3*u5_from_u3'*sin(theta2_from_theta1) - 7*u4_from_u3^2 -
-///     5*u5_from_u3^2 - u3*(13*u3 + 14*u4_from_u3 + 10*u5_from_u3 + 6*cos(theta2_from_theta1)*(2*u3 + 2*u4_from_u3 + u5_from_u3)) -
-///     3*cos(theta2_from_theta1)*(2*u4_from_u3^2 + u5_from_u3^2))))/(18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) - 33 -
-///     cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) - 18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-///     cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))
+/// u4_from_u3' = (13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 +
+///     cos(theta3_from_theta1)))*(m_l_squared_by_12*(u3*(3*cos(theta3_from_theta1)*(sin(theta2_from_theta1)*(u3*(15 + 2*cos(theta3_from_theta1)) + 14*u4_from_u3 +
+///     2*u5_from_u3*(6 + cos(theta3_from_theta1)) + 6*cos(theta2_from_theta1)*(2*u3 + 2*u4_from_u3 + u5_from_u3 + 2*cos(theta3_from_theta1)*(u3 + u4_from_u3 +
+///     u5_from_u3))) + 2*sin(theta3_from_theta1)*(3*u3 + 3*u4_from_u3 + 3*u5_from_u3 - cos(theta2_from_theta1)*(u3 + u5_from_u3 + 6*cos(theta2_from_theta1)*(u3 +
+///     u4_from_u3 + u5_from_u3)))) + sin(theta3_from_theta1)*(18*u3 + 18*u4_from_u3 + 14*u5_from_u3 - 3*cos(theta2_from_theta1)*(13*u3 + 14*u4_from_u3 + 10*u5_from_u3
+///     + 6*cos(theta2_from_theta1)*(2*u3 + 2*u4_from_u3 + u5_from_u3))) + 3*sin(theta2_from_theta1)*(13*u3 + 14*u4_from_u3 + 2*u5_from_u3*(1 -
+///     3*cos(theta2_from_theta1)))) - 3*cos(theta2_from_theta1)*(sin(theta3_from_theta1)*(7*u4_from_u3^2 + u5_from_u3^2*(5 + cos(theta3_from_theta1)) +
+///     3*cos(theta2_from_theta1)*(2*u4_from_u3^2 + u5_from_u3^2 + 2*cos(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2))) + 3*sin(theta2_from_theta1)*(u5_from_u3^2 -
+///     cos(theta3_from_theta1)*(2*u4_from_u3^2 + u5_from_u3^2 + 2*cos(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2)))) + 3*sin(theta2_from_theta1)*(7*u4_from_u3^2
+///     + u5_from_u3^2 + cos(theta3_from_theta1)*(7*u4_from_u3^2 + u5_from_u3^2*(6 + cos(theta3_from_theta1)))) + sin(theta3_from_theta1)*(9*u4_from_u3^2 +
+///     7*u5_from_u3^2 + 9*cos(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2)))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+///     6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) + u5_from_u3'*m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
+///     3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 - 3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
+///     6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 + 2*cos(theta3_from_theta1)))) +
+///     cos(theta3_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 7 - 9*cos(theta3_from_theta1)))/(13 +
+///     6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 +
+///     cos(theta3_from_theta1))))/(m_l_squared_by_12*(18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) - 33 - cos(theta3_from_theta1)*(14 +
+///     9*cos(theta3_from_theta1) - 18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta2_from_theta1)*(1 +
+///     cos(theta3_from_theta1))))))
 /// ```
 #[doc(inline)]
 pub use super::code::folding::accelerations;

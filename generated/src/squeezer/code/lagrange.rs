@@ -692,8 +692,8 @@ pub fn accelerations<S: Scalar>(
     //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta
     //   - phi))/ss)) - cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + sin(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt +
-    //   m4*(cos(gamma - delta)*(e + zt*sin(phi) + ea*((ea - zt*sin(phi))/e - 2)) + sin(gamma - delta -
-    //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
+    //   m4*(sin(gamma - delta - phi)*(zt + sin(phi)*(e - ea)) + cos(gamma - delta)*(e + zt*sin(phi) +
+    //   ea*((ea - zt*sin(phi))/e - 2))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
     //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
@@ -710,9 +710,9 @@ pub fn accelerations<S: Scalar>(
     //   + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma - epsilon -
     //   omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
     //   omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf +
-    //   cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega)
-    //   + fa*((fa + u*sin(omega))/zf - 2)) + cos(gamma - epsilon - omega)*(u + sin(omega)*(fa -
-    //   zf))))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma
+    //   cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(cos(gamma - epsilon - omega)*(u +
+    //   sin(omega)*(fa - zf)) + sin(gamma - epsilon)*(zf - u*sin(omega) + fa*((fa + u*sin(omega))/zf -
+    //   2))))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -
@@ -1348,8 +1348,8 @@ pub fn derivative<S: Scalar>(
     //   phi)*tan(phi))/e)/cos(phi) - (sin(gamma - delta - phi)*tan(gamma - beta - theta) + cos(gamma - delta
     //   - phi))/ss)) - cos(theta)*cos(beta - gamma)*sin(gamma - delta - phi)/d)/cos(beta + theta -
     //   gamma))*(I4*cos(gamma - delta)/e + sin(gamma - delta - phi)*(I5 + m5*(ta^2 + tb^2))/zt +
-    //   m4*(cos(gamma - delta)*(e + zt*sin(phi) + ea*((ea - zt*sin(phi))/e - 2)) + sin(gamma - delta -
-    //   phi)*(zt + sin(phi)*(e - ea))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
+    //   m4*(sin(gamma - delta - phi)*(zt + sin(phi)*(e - ea)) + cos(gamma - delta)*(e + zt*sin(phi) +
+    //   ea*((ea - zt*sin(phi))/e - 2))))/(zt*cos(beta + theta - gamma)^2*cos(phi)^2) -
     //   rr^2*beta'^2*sin(theta)*(cos(theta)*(sin(gamma - delta - phi)/zt - cos(gamma - delta)/e) +
     //   rr*(cos(theta)*cos(beta - gamma)*(cos(gamma - delta)/e - sin(gamma - delta - phi)/zt)/d +
     //   sin(theta)*(sin(theta)*(((cos(gamma - delta)^2*tan(phi)/e + (cos(gamma - delta)*cos(gamma - delta -
@@ -1366,9 +1366,9 @@ pub fn derivative<S: Scalar>(
     //   + cos(gamma - epsilon - omega)*tan(omega))/zf - cos(gamma - epsilon -
     //   omega)^2*tan(omega)/u)/cos(omega) - (sin(gamma - epsilon - omega) + cos(gamma - epsilon -
     //   omega)*tan(beta + theta - gamma))/ss)))/cos(beta + theta - gamma))*(I6*sin(gamma - epsilon)/zf +
-    //   cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(sin(gamma - epsilon)*(zf - u*sin(omega)
-    //   + fa*((fa + u*sin(omega))/zf - 2)) + cos(gamma - epsilon - omega)*(u + sin(omega)*(fa -
-    //   zf))))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma
+    //   cos(gamma - epsilon - omega)*(I7 + m7*(ua^2 + ub^2))/u + m6*(cos(gamma - epsilon - omega)*(u +
+    //   sin(omega)*(fa - zf)) + sin(gamma - epsilon)*(zf - u*sin(omega) + fa*((fa + u*sin(omega))/zf -
+    //   2))))/(u*cos(beta + theta - gamma)^2*cos(omega)^2) - rr^2*beta'^2*sin(theta)*(cos(theta)*(cos(gamma
     //   - epsilon - omega)/u - sin(gamma - epsilon)/zf) + rr*(cos(theta)*cos(beta - gamma)*(sin(gamma -
     //   epsilon)/zf - cos(gamma - epsilon - omega)/u)/d + sin(theta)*(sin(theta)*(((sin(gamma - epsilon -
     //   omega) + cos(gamma - epsilon - omega)*tan(beta + theta - gamma))/ss + (cos(gamma - epsilon -

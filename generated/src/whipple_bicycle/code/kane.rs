@@ -119,7 +119,7 @@ pub fn mass_matrix<S: Scalar>(
         + ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7
         + ratio_theta_u1 * ratio_psi_u1_of_place_12;
     let ratio_psi_u1_of_place_14 = S::int(1)
-        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+        / (sin_delta_sin_phi * (rR * (cos_lam_plus_theta - cos_lam) + rF * cos_lam - w_sin_lam)
             + cos_phi
                 * (cos_delta
                     * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
@@ -2447,11 +2447,11 @@ pub fn coordinate_rates<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) ->
         .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_6)
         + ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7
         + ratio_theta_u1 * ratio_psi_u1_of_place_12;
-    // 1/(sin_delta_sin_phi*(rF*cos(lam) - rR*(cos(lam) - cos(lam + theta)) - w_sin_lam) +
+    // 1/(sin_delta_sin_phi*(rF*cos(lam) + rR*(cos(lam + theta) - cos(lam)) - w_sin_lam) +
     //   cos(phi)*(ratio_psi_u1_of_c_lam_rf*cos(lam + theta) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
     //   rR*cos(lam + theta)) + cos(lam)*(rr_minus_rf*sin(lam + theta) + w_plus_c*cos(lam + theta)))))
     let ratio_psi_u1_of_place_14 = S::int(1)
-        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+        / (sin_delta_sin_phi * (rR * (cos_lam_plus_theta - cos_lam) + rF * cos_lam - w_sin_lam)
             + cos_phi
                 * (cos_delta
                     * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
@@ -3231,7 +3231,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> S
         + ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7
         + ratio_theta_u1 * ratio_psi_u1_of_place_12;
     let ratio_psi_u1_of_place_14 = S::int(1)
-        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+        / (sin_delta_sin_phi * (rR * (cos_lam_plus_theta - cos_lam) + rF * cos_lam - w_sin_lam)
             + cos_phi
                 * (cos_delta
                     * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
@@ -4580,7 +4580,7 @@ pub fn divisors<S: Scalar>(p: &Parameters<S>, q: &[S; 8], _u: &[S; 3]) -> [S; 4]
     //   cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
     //   rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c))))
     let divisor4 = sin_delta_sin_phi
-        * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+        * (rR * (cos_lam_plus_theta - cos_lam) + rF * cos_lam - w_sin_lam)
         + cos_phi
             * (cos_delta
                 * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)

@@ -7,7 +7,7 @@ use tripos_traits::{Dual, Lengths, Scalar, System, by_columns};
 
 /// Matrix of the linear system [E(q), -C(q)^T; C(q), 0] (q'', lambda) = (A(q, q'), b(q, q')); rows x, y, psi, phi, theta, delta, thR, thF, constraint contact, constraint rear_1, constraint rear_2, constraint front_1, constraint front_2.
 ///
-/// 874 operations, 6 sines and cosines, 2 other functions.
+/// 872 operations, 6 sines and cosines, 2 other functions.
 #[must_use]
 pub fn mass_matrix<S: Scalar>(
     p: &Parameters<S>,
@@ -150,7 +150,7 @@ pub fn mass_matrix<S: Scalar>(
     let p_v_Y_in_L_3_5 = (-p_v_L_in_B_1_5)
         .mul_add(sin_theta, p_v_L_in_B_3_5 * cos_theta);
     let p_v_N_in_Y_2_5 = p_v_Y_in_L_3_5.mul_add(sin_phi, p_v_RC_2_5 * cos_phi);
-    let w_B_in_S_1_4 = (-cos_lam).mul_add(cos_theta, sin_lam * sin_theta);
+    let w_B_in_S_1_4 = (-sin_lam).mul_add(sin_theta, cos_lam * cos_theta);
     let w_B_in_S_3_4 = sin_lam.mul_add(cos_theta, cos_lam * sin_theta);
     let w_S_in_F_1_4 = w_B_in_S_1_4 * cos_delta;
     let w_S_in_F_2_4 = w_B_in_S_1_4 * sin_delta;
@@ -158,12 +158,12 @@ pub fn mass_matrix<S: Scalar>(
     let v_Ho_2_7 = w_B_in_S_3_4.mul_add(v_Ho_2_5_of_w_c_lam_rr_2, rR);
     let v_S_in_F_1_6 = v_Ho_2_7 * sin_delta;
     let v_S_in_F_2_6 = v_Ho_2_7 * cos_delta;
-    let v_Ho_1_4 = w_S_in_F_2_4.mul_add(v_Ho_1_3_of_lam_rr_xh_zh, v_S_in_F_1_6);
-    let v_Ho_2_8 = w_B_in_S_3_4.mul_add(minus_v_ho_2_6_of_place, -v_S_in_F_2_6)
-        - w_S_in_F_1_4 * v_Ho_1_3_of_lam_rr_xh_zh;
+    let v_Ho_1_4 = w_S_in_F_2_4.mul_add(v_Ho_1_3_of_lam_rr_xh_zh, -v_S_in_F_1_6);
+    let v_Ho_2_8 = w_S_in_F_1_4.mul_add(v_Ho_1_3_of_lam_rr_xh_zh, -v_S_in_F_2_6)
+        + w_B_in_S_3_4 * minus_v_ho_2_6_of_place;
     let v_Ho_3_7 = w_S_in_F_2_4 * minus_v_ho_2_6_of_place;
-    let v_FC_1_4 = w_S_in_F_2_4.mul_add(v_FC_1_3_of_w_lam_rr_rf, v_S_in_F_1_6);
-    let v_FC_2_4 = w_S_in_F_1_4.mul_add(v_FC_1_3_of_w_lam_rr_rf, v_S_in_F_2_6)
+    let v_FC_1_4 = w_S_in_F_2_4.mul_add(v_FC_1_3_of_w_lam_rr_rf, -v_S_in_F_1_6);
+    let v_FC_2_4 = (-w_S_in_F_1_4).mul_add(v_FC_1_3_of_w_lam_rr_rf, v_S_in_F_2_6)
         + w_B_in_S_3_4 * v_FC_2_3_of_c_lam_rf;
     let v_FC_3_4 = w_S_in_F_2_4 * v_FC_2_3_of_c_lam_rf;
     let p_v_FC_3_6 = mF * v_FC_3_4;
@@ -175,17 +175,16 @@ pub fn mass_matrix<S: Scalar>(
     let p_v_S_in_F_2_6 = p_v_FC_2_6 - p_v_Ho_2_11;
     let p_v_S_in_F_1_6 = p_v_FC_1_6 + p_v_Ho_1_6;
     let p_v_Ho_3_12 = p_v_FC_3_6 - p_v_Ho_3_11;
-    let p_v_Ho_2_12 = p_v_S_in_F_1_6.mul_add(sin_delta, p_v_S_in_F_2_6 * cos_delta);
-    let p_v_B_in_S_1_6 = (-p_v_S_in_F_1_6)
-        .mul_add(cos_delta, p_v_S_in_F_2_6 * sin_delta);
+    let p_v_Ho_2_12 = (-p_v_S_in_F_1_6).mul_add(sin_delta, p_v_S_in_F_2_6 * cos_delta);
+    let p_v_B_in_S_1_6 = p_v_S_in_F_1_6.mul_add(cos_delta, p_v_S_in_F_2_6 * sin_delta);
     let p_v_Bo_2_6 = mB * v_Bo_2_4;
-    let p_v_L_in_B_3_6 = (-p_v_B_in_S_1_6).mul_add(sin_lam, p_v_Ho_3_12 * cos_lam);
-    let p_v_L_in_B_1_6 = p_v_B_in_S_1_6.mul_add(cos_lam, p_v_Ho_3_12 * sin_lam);
+    let p_v_L_in_B_3_6 = p_v_B_in_S_1_6.mul_add(sin_lam, p_v_Ho_3_12 * cos_lam);
+    let p_v_L_in_B_1_6 = (-p_v_B_in_S_1_6).mul_add(cos_lam, p_v_Ho_3_12 * sin_lam);
     let p_v_RC_2_6 = rR.mul_add(mR, p_v_Ho_2_12) + p_v_Bo_2_6;
     let p_v_RC_1_6 = p_v_L_in_B_1_6.mul_add(cos_theta, p_v_L_in_B_3_6 * sin_theta);
     let p_v_Y_in_L_3_6 = (-p_v_L_in_B_1_6)
         .mul_add(sin_theta, p_v_L_in_B_3_6 * cos_theta);
-    let p_v_N_in_Y_2_6 = p_v_Y_in_L_3_6.mul_add(sin_phi, p_v_RC_2_6 * cos_phi);
+    let p_v_N_in_Y_2_6 = (-p_v_RC_2_6).mul_add(cos_phi, p_v_Y_in_L_3_6 * sin_phi);
     let v_Bo_1_4 = rr_plus_zb;
     let v_Ho_3_8 = v_Ho_2_5_of_w_c_lam_rr_2;
     let v_Ho_1_5 = v_Ho_1_3_of_lam_rr_xh_zh * cos_delta;
@@ -259,8 +258,8 @@ pub fn mass_matrix<S: Scalar>(
     let p_w_Y_in_L_3_3 = (-p_w_L_in_B_3_3).mul_add(cos_theta, H_rear_wheel_3_3)
         + p_w_L_in_B_1_3 * sin_theta;
     let p_w_Y_in_L_2_3 = rR.mul_add(p_v_RC_1_5, H_rear_wheel_2_3) + p_w_B_2_3;
-    let w_F_in_H_1_4 = (-w_S_in_F_1_4).mul_add(cos_lam, w_B_in_S_3_4 * sin_lam);
-    let w_F_in_H_3_4 = w_S_in_F_1_4.mul_add(sin_lam, w_B_in_S_3_4 * cos_lam);
+    let w_F_in_H_1_4 = w_S_in_F_1_4.mul_add(cos_lam, w_B_in_S_3_4 * sin_lam);
+    let w_F_in_H_3_4 = (-w_S_in_F_1_4).mul_add(sin_lam, w_B_in_S_3_4 * cos_lam);
     let H_frame_1_4 = IBxx.mul_add(cos_theta, IBxz * sin_theta);
     let H_frame_3_4 = IBxz.mul_add(cos_theta, IBzz * sin_theta);
     let H_fork_1_4 = IHxz.mul_add(w_F_in_H_3_4, IHxx * w_F_in_H_1_4);
@@ -275,17 +274,17 @@ pub fn mass_matrix<S: Scalar>(
         .mul_add(v_Ho_1_3_of_lam_rr_xh_zh, H_fork_2_4 + H_front_wheel_2_4)
         + p_v_Ho_3_11 * minus_v_ho_2_6_of_place + p_v_FC_1_6 * v_FC_1_3_of_w_lam_rr_rf
         + p_v_FC_3_6 * v_FC_2_3_of_c_lam_rf;
-    let p_w_S_in_F_1_4 = (-H_fork_1_4).mul_add(cos_lam, H_fork_3_4 * sin_lam)
-        + H_front_wheel_1_4 - p_v_Ho_2_11 * v_Ho_1_3_of_lam_rr_xh_zh
-        + p_v_FC_2_6 * v_FC_1_3_of_w_lam_rr_rf;
+    let p_w_S_in_F_1_4 = (-H_fork_3_4).mul_add(sin_lam, H_fork_1_4 * cos_lam)
+        + H_front_wheel_1_4 + p_v_Ho_2_11 * v_Ho_1_3_of_lam_rr_xh_zh
+        - p_v_FC_2_6 * v_FC_1_3_of_w_lam_rr_rf;
     let p_w_B_in_S_3_4 = p_v_Ho_2_12.mul_add(v_Ho_2_5_of_w_c_lam_rr_2, p_w_F_3_4);
     let p_w_B_in_S_1_4 = p_w_S_in_F_1_4.mul_add(cos_delta, p_w_S_in_F_2_4 * sin_delta);
     let p_w_B_2_4 = (-p_w_S_in_F_1_4).mul_add(sin_delta, p_w_S_in_F_2_4 * cos_delta)
         + p_v_Ho_3_12 * v_Ho_2_5_of_w_c_lam_rr_2;
     let p_w_L_in_B_3_4 = xB.mul_add(p_v_Bo_2_6, H_frame_3_4) + p_w_B_in_S_3_4 * cos_lam
-        + p_w_B_in_S_1_4 * sin_lam;
+        - p_w_B_in_S_1_4 * sin_lam;
     let p_w_L_in_B_1_4 = p_w_B_in_S_3_4.mul_add(sin_lam, H_frame_1_4)
-        - p_w_B_in_S_1_4 * cos_lam - p_v_Bo_2_6 * rr_plus_zb;
+        + p_w_B_in_S_1_4 * cos_lam - p_v_Bo_2_6 * rr_plus_zb;
     let p_w_Y_in_L_3_4 = (-p_w_L_in_B_1_4)
         .mul_add(sin_theta, p_w_L_in_B_3_4 * cos_theta);
     let p_w_Y_in_L_2_4 = rR.mul_add(p_v_RC_1_6, p_w_B_2_4);
@@ -343,7 +342,7 @@ pub fn mass_matrix<S: Scalar>(
     let m_2_4_of_place = (-p_v_N_in_Y_2_6).mul_add(cos_psi, p_v_RC_1_6 * sin_psi);
     let m_2_5_of_place = (-p_v_N_in_Y_2_7).mul_add(cos_psi, p_v_RC_1_7 * sin_psi);
     let m_2_6_of_place = (-p_v_N_in_Y_2_8).mul_add(cos_psi, p_v_RC_1_8 * sin_psi);
-    let m_3_4_of_place = p_w_Y_in_L_2_4.mul_add(sin_phi, p_w_Y_in_L_3_4 * cos_phi);
+    let m_3_4_of_place = (-p_w_Y_in_L_2_4).mul_add(sin_phi, p_w_Y_in_L_3_4 * cos_phi);
     let m_3_5_of_place = (-p_w_Y_in_L_2_5).mul_add(sin_phi, p_w_Y_in_L_3_5 * cos_phi);
     let m_3_6_of_place = (-p_w_Y_in_L_2_6).mul_add(sin_phi, p_w_Y_in_L_3_6 * cos_phi);
     let m_3_8_of_place = p_w_Y_in_L_3_7.mul_add(cos_phi, H_front_wheel_2_5 * sin_phi);
@@ -453,10 +452,8 @@ pub fn mass_matrix<S: Scalar>(
     let minus_p_w_b_2_6 = -p_w_B_2_6;
     let minus_m_1_2_of_place = -m_1_2_of_place;
     let minus_m_1_3_of_place = -m_1_3_of_place;
-    let minus_m_1_4_of_place = -m_1_4_of_place;
     let minus_m_1_5_of_place = -m_1_5_of_place;
     let minus_m_2_3_of_place = -m_2_3_of_place;
-    let minus_m_2_4_of_place = -m_2_4_of_place;
     let minus_m_2_5_of_place = -m_2_5_of_place;
     let minus_m_3_5_of_place = -m_3_5_of_place;
     let minus_m_4_5_of_place_2 = -m_4_5_of_place_2;
@@ -465,7 +462,7 @@ pub fn mass_matrix<S: Scalar>(
     let m_1_1 = p_v_N_in_Y_2_3.mul_add(sin_psi, p_v_RC_1_3 * cos_psi);
     let m_1_2 = minus_m_1_2_of_place;
     let m_1_3 = minus_m_1_3_of_place;
-    let m_1_4 = minus_m_1_4_of_place;
+    let m_1_4 = m_1_4_of_place;
     let m_1_5 = minus_m_1_5_of_place;
     let m_1_6 = m_1_6_of_place;
     let m_1_10 = minus_cos_psi;
@@ -475,7 +472,7 @@ pub fn mass_matrix<S: Scalar>(
     let m_2_1 = minus_m_1_2_of_place;
     let m_2_2 = p_v_N_in_Y_2_4.mul_add(cos_psi, p_v_RC_1_4 * sin_psi);
     let m_2_3 = minus_m_2_3_of_place;
-    let m_2_4 = minus_m_2_4_of_place;
+    let m_2_4 = m_2_4_of_place;
     let m_2_5 = minus_m_2_5_of_place;
     let m_2_6 = m_2_6_of_place;
     let m_2_10 = minus_sin_psi;
@@ -492,8 +489,8 @@ pub fn mass_matrix<S: Scalar>(
     let m_3_8 = m_3_8_of_place;
     let m_3_12 = m_3_12_of_place_14;
     let m_3_13 = -m_3_13_of_place_5;
-    let m_4_1 = minus_m_1_4_of_place;
-    let m_4_2 = minus_m_2_4_of_place;
+    let m_4_1 = m_1_4_of_place;
+    let m_4_2 = m_2_4_of_place;
     let m_4_3 = m_3_4_of_place;
     let m_4_4 = rR.mul_add(p_v_RC_2_6, IRxx) + p_w_L_in_B_3_4 * sin_theta
         + p_w_L_in_B_1_4 * cos_theta;
@@ -1610,7 +1607,7 @@ pub fn accelerations<S: Scalar>(
     let p_v_Y_in_L_3_5 = (-p_v_L_in_B_1_5)
         .mul_add(sin_theta, p_v_L_in_B_3_5 * cos_theta);
     let p_v_N_in_Y_2_5 = p_v_Y_in_L_3_5.mul_add(sin_phi, p_v_RC_2_5 * cos_phi);
-    let w_B_in_S_1_4 = (-cos_lam).mul_add(cos_theta, sin_lam * sin_theta);
+    let w_B_in_S_1_4 = (-sin_lam).mul_add(sin_theta, cos_lam * cos_theta);
     let w_B_in_S_3_4 = sin_lam.mul_add(cos_theta, cos_lam * sin_theta);
     let w_S_in_F_1_4 = w_B_in_S_1_4 * cos_delta;
     let w_S_in_F_2_4 = w_B_in_S_1_4 * sin_delta;
@@ -1618,12 +1615,12 @@ pub fn accelerations<S: Scalar>(
     let v_Ho_2_7 = w_B_in_S_3_4.mul_add(v_Ho_2_of_w_c_lam_rr_2, rR);
     let v_S_in_F_1_6 = v_Ho_2_7 * sin_delta;
     let v_S_in_F_2_6 = v_Ho_2_7 * cos_delta;
-    let v_Ho_1_4 = w_S_in_F_2_4.mul_add(v_Ho_1_of_lam_rr_xh_zh, v_S_in_F_1_6);
-    let v_Ho_2_8 = w_B_in_S_3_4.mul_add(minus_v_ho_2_2_of_place, -v_S_in_F_2_6)
-        - w_S_in_F_1_4 * v_Ho_1_of_lam_rr_xh_zh;
+    let v_Ho_1_4 = w_S_in_F_2_4.mul_add(v_Ho_1_of_lam_rr_xh_zh, -v_S_in_F_1_6);
+    let v_Ho_2_8 = w_S_in_F_1_4.mul_add(v_Ho_1_of_lam_rr_xh_zh, -v_S_in_F_2_6)
+        + w_B_in_S_3_4 * minus_v_ho_2_2_of_place;
     let v_Ho_3_7 = w_S_in_F_2_4 * minus_v_ho_2_2_of_place;
-    let v_FC_1_4 = w_S_in_F_2_4.mul_add(v_FC_1_of_w_lam_rr_rf, v_S_in_F_1_6);
-    let v_FC_2_4 = w_S_in_F_1_4.mul_add(v_FC_1_of_w_lam_rr_rf, v_S_in_F_2_6)
+    let v_FC_1_4 = w_S_in_F_2_4.mul_add(v_FC_1_of_w_lam_rr_rf, -v_S_in_F_1_6);
+    let v_FC_2_4 = (-w_S_in_F_1_4).mul_add(v_FC_1_of_w_lam_rr_rf, v_S_in_F_2_6)
         + w_B_in_S_3_4 * v_FC_2_of_c_lam_rf;
     let v_FC_3_4 = w_S_in_F_2_4 * v_FC_2_of_c_lam_rf;
     let p_v_FC_3_6 = mF * v_FC_3_4;
@@ -1635,17 +1632,16 @@ pub fn accelerations<S: Scalar>(
     let p_v_S_in_F_2_6 = p_v_FC_2_6 - p_v_Ho_2_11;
     let p_v_S_in_F_1_6 = p_v_FC_1_6 + p_v_Ho_1_6;
     let p_v_Ho_3_12 = p_v_FC_3_6 - p_v_Ho_3_11;
-    let p_v_Ho_2_12 = p_v_S_in_F_1_6.mul_add(sin_delta, p_v_S_in_F_2_6 * cos_delta);
-    let p_v_B_in_S_1_6 = (-p_v_S_in_F_1_6)
-        .mul_add(cos_delta, p_v_S_in_F_2_6 * sin_delta);
+    let p_v_Ho_2_12 = (-p_v_S_in_F_1_6).mul_add(sin_delta, p_v_S_in_F_2_6 * cos_delta);
+    let p_v_B_in_S_1_6 = p_v_S_in_F_1_6.mul_add(cos_delta, p_v_S_in_F_2_6 * sin_delta);
     let p_v_Bo_2_6 = mB * v_Bo_2_4;
-    let p_v_L_in_B_3_6 = (-p_v_B_in_S_1_6).mul_add(sin_lam, p_v_Ho_3_12 * cos_lam);
-    let p_v_L_in_B_1_6 = p_v_B_in_S_1_6.mul_add(cos_lam, p_v_Ho_3_12 * sin_lam);
+    let p_v_L_in_B_3_6 = p_v_B_in_S_1_6.mul_add(sin_lam, p_v_Ho_3_12 * cos_lam);
+    let p_v_L_in_B_1_6 = (-p_v_B_in_S_1_6).mul_add(cos_lam, p_v_Ho_3_12 * sin_lam);
     let p_v_RC_2_6 = rR.mul_add(mR, p_v_Ho_2_12) + p_v_Bo_2_6;
     let p_v_RC_1_6 = p_v_L_in_B_1_6.mul_add(cos_theta, p_v_L_in_B_3_6 * sin_theta);
     let p_v_Y_in_L_3_6 = (-p_v_L_in_B_1_6)
         .mul_add(sin_theta, p_v_L_in_B_3_6 * cos_theta);
-    let p_v_N_in_Y_2_6 = p_v_Y_in_L_3_6.mul_add(sin_phi, p_v_RC_2_6 * cos_phi);
+    let p_v_N_in_Y_2_6 = (-p_v_RC_2_6).mul_add(cos_phi, p_v_Y_in_L_3_6 * sin_phi);
     let v_Bo_1_4 = rr_plus_zb;
     let v_Ho_3_8 = v_Ho_2_of_w_c_lam_rr_2;
     let v_Ho_1_5 = v_Ho_1_of_lam_rr_xh_zh * cos_delta;
@@ -1720,8 +1716,8 @@ pub fn accelerations<S: Scalar>(
         + p_w_L_in_B_1_3 * sin_theta;
     let rr_p_v_rc_1_5 = rR * p_v_RC_1_5;
     let p_w_Y_in_L_2_3 = H_rear_wheel_2_3 + p_w_B_2_3 + rr_p_v_rc_1_5;
-    let w_F_in_H_1_4 = (-w_S_in_F_1_4).mul_add(cos_lam, w_B_in_S_3_4 * sin_lam);
-    let w_F_in_H_3_4 = w_S_in_F_1_4.mul_add(sin_lam, w_B_in_S_3_4 * cos_lam);
+    let w_F_in_H_1_4 = w_S_in_F_1_4.mul_add(cos_lam, w_B_in_S_3_4 * sin_lam);
+    let w_F_in_H_3_4 = (-w_S_in_F_1_4).mul_add(sin_lam, w_B_in_S_3_4 * cos_lam);
     let H_frame_1_4 = IBxx.mul_add(cos_theta, IBxz * sin_theta);
     let H_frame_3_4 = IBxz.mul_add(cos_theta, IBzz * sin_theta);
     let H_fork_1_4 = IHxz.mul_add(w_F_in_H_3_4, IHxx * w_F_in_H_1_4);
@@ -1736,17 +1732,17 @@ pub fn accelerations<S: Scalar>(
         .mul_add(v_Ho_1_of_lam_rr_xh_zh, H_fork_2_4 + H_front_wheel_2_4)
         + p_v_Ho_3_11 * minus_v_ho_2_2_of_place + p_v_FC_1_6 * v_FC_1_of_w_lam_rr_rf
         + p_v_FC_3_6 * v_FC_2_of_c_lam_rf;
-    let p_w_S_in_F_1_4 = (-H_fork_1_4).mul_add(cos_lam, H_fork_3_4 * sin_lam)
-        + H_front_wheel_1_4 - p_v_Ho_2_11 * v_Ho_1_of_lam_rr_xh_zh
-        + p_v_FC_2_6 * v_FC_1_of_w_lam_rr_rf;
+    let p_w_S_in_F_1_4 = (-H_fork_3_4).mul_add(sin_lam, H_fork_1_4 * cos_lam)
+        + H_front_wheel_1_4 + p_v_Ho_2_11 * v_Ho_1_of_lam_rr_xh_zh
+        - p_v_FC_2_6 * v_FC_1_of_w_lam_rr_rf;
     let p_w_B_in_S_3_4 = p_v_Ho_2_12.mul_add(v_Ho_2_of_w_c_lam_rr_2, p_w_F_3_4);
     let p_w_B_in_S_1_4 = p_w_S_in_F_1_4.mul_add(cos_delta, p_w_S_in_F_2_4 * sin_delta);
     let p_w_B_2_4 = (-p_w_S_in_F_1_4).mul_add(sin_delta, p_w_S_in_F_2_4 * cos_delta)
         + p_v_Ho_3_12 * v_Ho_2_of_w_c_lam_rr_2;
     let p_w_L_in_B_3_4 = xB.mul_add(p_v_Bo_2_6, H_frame_3_4) + p_w_B_in_S_3_4 * cos_lam
-        + p_w_B_in_S_1_4 * sin_lam;
+        - p_w_B_in_S_1_4 * sin_lam;
     let p_w_L_in_B_1_4 = p_w_B_in_S_3_4.mul_add(sin_lam, H_frame_1_4)
-        - p_w_B_in_S_1_4 * cos_lam - p_v_Bo_2_6 * rr_plus_zb;
+        + p_w_B_in_S_1_4 * cos_lam - p_v_Bo_2_6 * rr_plus_zb;
     let p_w_Y_in_L_3_4 = (-p_w_L_in_B_1_4)
         .mul_add(sin_theta, p_w_L_in_B_3_4 * cos_theta);
     let p_w_Y_in_L_2_4 = rR.mul_add(p_v_RC_1_6, p_w_B_2_4);
@@ -2116,7 +2112,7 @@ pub fn accelerations<S: Scalar>(
     let l2_of_place_3 = (-l2_of_place_2).mul_add(cos_phi, l2_of_place * sin_phi);
     let l2_of_place_4 = ratio_thF_u1 * H_front_wheel_2_5;
     let l2_of_place_5 = ratio_theta_u1.mul_add(p_w_Y_in_L_2_5, l2_of_place_4);
-    let l2_of_place_6 = p_w_Y_in_L_2_4 + l2_of_place_5;
+    let l2_of_place_6 = p_w_Y_in_L_2_4 - l2_of_place_5;
     let l2_of_place_7 = (-ratio_thF_u1)
         .mul_add(p_w_Y_in_L_3_7, ratio_theta_u1 * p_w_Y_in_L_3_5);
     let l2_of_place_8 = p_w_Y_in_L_3_4 - l2_of_place_7;
@@ -2132,7 +2128,7 @@ pub fn accelerations<S: Scalar>(
     let l2_of_place_15 = l2_of_place_13 - l2_of_place_14;
     let l2_of_place_16 = rR * p_v_Ho_2_16 - ratio_theta_u1 * p_w_B_2_6
         + p_w_L_in_B_3_6 * sin_theta + p_w_L_in_B_1_6 * cos_theta + ratio_psi_u1 * l2_of_place_3
-        - ratio_psi_u2 * l2_of_place_8.mul_add(cos_phi, l2_of_place_6 * sin_phi)
+        + ratio_psi_u2 * (-l2_of_place_8).mul_add(cos_phi, l2_of_place_6 * sin_phi)
         - ratio_theta_u2 * l2_of_place_12 - ratio_thF_u2 * l2_of_place_15;
     let d1_inv = S::int(1) / d1;
     let l2 = l2_of_place_16 * d1_inv;
@@ -2142,26 +2138,26 @@ pub fn accelerations<S: Scalar>(
         + ratio_theta_u1 * (-l2_of_place_11).mul_add(S::int(2), ratio_theta_u1_p_w_b_2_5)
         + ratio_thF_u1 * (-l2_of_place_13).mul_add(S::int(2), ifyy_ratio_thf_u1)
         - l2 * l2_of_place_16
-        - ratio_psi_u1
-            * (sin_phi * l2_of_place_6.mul_add(S::int(2), -s3_of_place)
-                + cos_phi * l2_of_place_8.mul_add(S::int(2), -s3_of_place_2));
-    let s4_of_place = l2_of_place_6 - s3_of_place;
+        + ratio_psi_u1
+            * (sin_phi * l2_of_place_6.mul_add(S::int(2), s3_of_place)
+                + cos_phi * (-l2_of_place_8).mul_add(S::int(2), s3_of_place_2));
+    let s4_of_place = l2_of_place_6 + s3_of_place;
     let s4_of_place_2 = l2_of_place_8 - s3_of_place_2;
     let s4_of_place_3 = (-ratio_psi_u2).mul_add(l2, ratio_psi_u1);
     let cos_phi_p_w_y_in_l_3_7 = p_w_Y_in_L_3_7 * cos_phi;
     let s4_of_place_4 = ratio_theta_u2.mul_add(p_v_RC_1_7, -p_v_RC_1_8);
     let s4_of_place_5 = (-ratio_theta_u1).mul_add(p_v_RC_1_7, ratio_psi_u1 * p_v_RC_1_5);
-    let s4_of_place_6 = p_v_RC_1_6 - s4_of_place_5;
-    let s4 = ratio_thF_u3
-        * (IFyy * (-ratio_thF_u2).mul_add(l2, ratio_thF_u1) - l2_of_place_13
-            + H_front_wheel_2_5
-                * ((-ratio_theta_u2).mul_add(l2, ratio_theta_u1)
-                    - s4_of_place_3 * sin_phi) - s4_of_place_3 * cos_phi_p_w_y_in_l_3_7)
-        - ratio_psi_u3
-            * (sin_phi * l2.mul_add(l2_of_place, s4_of_place)
-                + cos_phi * (-l2).mul_add(l2_of_place_2, s4_of_place_2))
+    let s4_of_place_6 = p_v_RC_1_6 + s4_of_place_5;
+    let s4 = ratio_psi_u3
+        * (sin_phi * (-l2).mul_add(l2_of_place, s4_of_place)
+            + cos_phi * l2.mul_add(l2_of_place_2, -s4_of_place_2))
         - H_rear_wheel_2_3 * s4_of_place_3
-        + rR * (l2 * ratio_psi_u2.mul_add(p_v_RC_1_5, -s4_of_place_4) + s4_of_place_6);
+        + ratio_thF_u3
+            * (IFyy * (-ratio_thF_u2).mul_add(l2, ratio_thF_u1) - l2_of_place_13
+                + H_front_wheel_2_5
+                    * ((-ratio_theta_u2).mul_add(l2, ratio_theta_u1) - s4_of_place_3 * sin_phi)
+                - s4_of_place_3 * cos_phi_p_w_y_in_l_3_7)
+        - rR * (l2 * (-ratio_psi_u2).mul_add(p_v_RC_1_5, s4_of_place_4) + s4_of_place_6);
     let r5_of_phi_dot = p_w_B_2_2
         + sin_theta
             * ((-v_Y_in_L_3).mul_add(p_v_L_in_B_3, v_RC_1 * p_v_L_in_B_1)
@@ -2187,8 +2183,8 @@ pub fn accelerations<S: Scalar>(
     let r5_of_motion_5 = delta_dot.mul_add(ratio_thF_u2_2, phi_dot * ratio_thF_u1_2);
     let r5_of_motion_6 = thR_dot.mul_add(ratio_thF_u3_2, r5_of_motion_5);
     let r5_of_motion_6_halved = S::ratio(1, 2) * r5_of_motion_6;
-    let r5_of_place_3 = (-ratio_psi_u1).mul_add(p_v_N_in_Y_2_5, p_v_N_in_Y_2_6)
-        + ratio_theta_u1 * p_v_N_in_Y_2_7;
+    let r5_of_place_3 = ratio_psi_u1.mul_add(p_v_N_in_Y_2_5, p_v_N_in_Y_2_6)
+        - ratio_theta_u1 * p_v_N_in_Y_2_7;
     let r5_of_motion_7 = thR_dot.mul_add(ratio_psi_u3, phi_dot * ratio_psi_u1);
     let r5_of_motion_8 = rR * thR_dot * delta_dot.mul_add(ratio_psi_u2, r5_of_motion_7);
     let sin_psi_r5_of_motion_8 = r5_of_motion_8 * sin_psi;
@@ -2240,11 +2236,11 @@ pub fn accelerations<S: Scalar>(
                 + psi_dot * p_w_Y_in_L_2 + F_x_F_3_2 * x_N_in_Y_2)
         - H_front_wheel_2_2 * ratio_thF_u1 - theta_dot * p_w_Y_in_L_3_of_place
         - ratio_theta_u1 * r5_of_phi_dot - ratio_psi_u1 * r5_of_motion
-        + r5_of_motion_3 * s4_of_place_2.mul_add(cos_phi, s4_of_place * sin_phi)
+        + r5_of_motion_3 * (-s4_of_place).mul_add(sin_phi, s4_of_place_2 * cos_phi)
         + r5_of_motion_4 * (-ratio_psi_u1).mul_add(r5_of_place, l2_of_place_12)
         + r5_of_motion_6_halved * ratio_psi_u1.mul_add(r5_of_place_2, l2_of_place_15)
-        - sin_psi_r5_of_motion_8 * r5_of_place_3.mul_add(sin_psi, s4_of_place_6 * cos_psi)
-        + cos_psi_r5_of_motion_8 * (-r5_of_place_3).mul_add(cos_psi, s4_of_place_6 * sin_psi)
+        + sin_psi_r5_of_motion_8 * r5_of_place_3.mul_add(sin_psi, s4_of_place_6 * cos_psi)
+        + cos_psi_r5_of_motion_8 * (-s4_of_place_6).mul_add(sin_psi, r5_of_place_3 * cos_psi)
         + l2 * r5_of_motion_14_halved;
     let l6_of_place = ratio_thF_u3 * H_front_wheel_2_5;
     let iryy_plus_l6_of_place = IRyy + l6_of_place;
@@ -2722,11 +2718,11 @@ pub fn motion_variables<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) ->
         .mul_add(sin_lam_plus_theta, ratio_psi_u1_of_place_2 * ratio_psi_u1_of_place_6)
         + ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7
         + ratio_theta_u1 * ratio_psi_u1_of_place_12;
-    // 1/(sin_delta_sin_phi*(rF*cos(lam) - rR*(cos(lam) - cos(lam + theta)) - w_sin_lam) +
+    // 1/(sin_delta_sin_phi*(rF*cos(lam) + rR*(cos(lam + theta) - cos(lam)) - w_sin_lam) +
     //   cos(phi)*(ratio_psi_u1_of_c_lam_rf*cos(lam + theta) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
     //   rR*cos(lam + theta)) + cos(lam)*(rr_minus_rf*sin(lam + theta) + w_plus_c*cos(lam + theta)))))
     let ratio_psi_u1_of_place_14 = S::int(1)
-        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+        / (sin_delta_sin_phi * (rR * (cos_lam_plus_theta - cos_lam) + rF * cos_lam - w_sin_lam)
             + cos_phi
                 * (cos_delta
                     * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
@@ -3484,7 +3480,7 @@ pub fn divisors<S: Scalar>(p: &Parameters<S>, q: &[S; 8], _q_dot: &[S; 8]) -> [S
     //   cos(phi)*(cos(lam + theta)*(rF*sin(lam) - c*cos(lam)) + cos(delta)*(sin(lam)*(w*sin(lam + theta) -
     //   rR*cos(lam + theta)) + cos(lam)*(sin(lam + theta)*(rR - rF) + cos(lam + theta)*(w + c))))
     let divisor4 = sin_delta_sin_phi
-        * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+        * (rR * (cos_lam_plus_theta - cos_lam) + rF * cos_lam - w_sin_lam)
         + cos_phi
             * (cos_delta
                 * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)

@@ -121,7 +121,7 @@ pub fn mass_matrix<S: Scalar>(
         + ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7
         + ratio_theta_u1 * ratio_psi_u1_of_place_12;
     let ratio_psi_u1_of_place_14 = S::int(1)
-        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+        / (sin_delta_sin_phi * (rR * (cos_lam_plus_theta - cos_lam) + rF * cos_lam - w_sin_lam)
             + cos_phi
                 * (cos_delta
                     * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
@@ -413,7 +413,7 @@ pub fn mass_matrix<S: Scalar>(
     let x_F_1_8 = mF * a_FC_1_3;
     let a_FC_1_4 = w_S_in_F_2_4.mul_add(ratio_theta_u1_of_w_lam_rr_rf, x_S_in_F_1_3);
     let x_F_1_9 = mF * a_FC_1_4;
-    let x_B_in_S_1_7 = (-cos_lam).mul_add(cos_theta, sin_lam * sin_theta);
+    let x_B_in_S_1_7 = (-sin_lam).mul_add(sin_theta, cos_lam * cos_theta);
     let x_S_in_F_1_7 = x_B_in_S_1_7 * cos_delta;
     let x_L_in_B_1_7 = sin_phi * sin_theta;
     let x_L_in_B_3_5 = sin_phi * cos_theta;
@@ -578,12 +578,12 @@ pub fn mass_matrix<S: Scalar>(
     let m_18_17 = sin_lam;
     let m_19_2 = -x_F_1_8;
     let m_19_3 = -x_F_1_9;
+    let m_19_6 = -x_S_in_F_1_7;
     let m_19_7 = -x_S_in_F_1_8;
     let m_19_8 = -S::int(1);
     let m_19_24 = -x_S_in_F_1_9;
     let m_20_2 = -x_F_2_7;
     let m_20_3 = -x_F_2_8;
-    let m_20_6 = -x_S_in_F_2_8;
     let m_20_7 = -x_S_in_F_2_9;
     let m_20_9 = -S::int(1);
     let m_20_24 = -x_S_in_F_2_10;
@@ -679,12 +679,12 @@ pub fn mass_matrix<S: Scalar>(
             zero, zero, zero, zero,
         ],
         [
-            x_F_1_7, m_19_2, m_19_3, zero, zero, x_S_in_F_1_7, m_19_7, m_19_8, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_19_24,
+            x_F_1_7, m_19_2, m_19_3, zero, zero, m_19_6, m_19_7, m_19_8, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_19_24,
         ],
         [
-            x_F_2_6, m_20_2, m_20_3, zero, zero, m_20_6, m_20_7, zero, m_20_9, zero, zero, zero,
-            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_20_24,
+            x_F_2_6, m_20_2, m_20_3, zero, zero, x_S_in_F_2_8, m_20_7, zero, m_20_9, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_20_24,
         ],
         [
             m_21_1, x_F_3_8, x_F_3_9, zero, zero, m_21_6, x_B_in_S_3_6, zero, zero, m_21_10, zero,
@@ -2531,7 +2531,7 @@ pub fn kinetic_energy<S: Scalar>(p: &Parameters<S>, q: &[S; 8], u: &[S; 3]) -> S
         + ratio_psi_u1_of_place_5 * ratio_psi_u1_of_place_7
         + ratio_theta_u1 * ratio_psi_u1_of_place_12;
     let ratio_psi_u1_of_place_14 = S::int(1)
-        / (sin_delta_sin_phi * (-rR * (cos_lam - cos_lam_plus_theta) + rF * cos_lam - w_sin_lam)
+        / (sin_delta_sin_phi * (rR * (cos_lam_plus_theta - cos_lam) + rF * cos_lam - w_sin_lam)
             + cos_phi
                 * (cos_delta
                     * (sin_lam * (-rR).mul_add(cos_lam_plus_theta, w * sin_lam_plus_theta)
@@ -3652,7 +3652,7 @@ pub fn linear_system<S: Scalar>(
     let x_F_1_8 = mF * a_FC_1_3;
     let a_FC_1_4 = w_S_in_F_2_4.mul_add(ratio_theta_u1_of_w_lam_rr_rf, x_S_in_F_1_3);
     let x_F_1_9 = mF * a_FC_1_4;
-    let x_B_in_S_1_7 = (-cos_lam).mul_add(cos_theta, sin_lam * sin_theta);
+    let x_B_in_S_1_7 = (-sin_lam).mul_add(sin_theta, cos_lam * cos_theta);
     let x_S_in_F_1_7 = x_B_in_S_1_7 * cos_delta;
     let x_L_in_B_1_7 = sin_phi * sin_theta;
     let x_L_in_B_3_5 = sin_phi * cos_theta;
@@ -3817,12 +3817,12 @@ pub fn linear_system<S: Scalar>(
     let m_18_17 = sin_lam;
     let m_19_2 = -x_F_1_8;
     let m_19_3 = -x_F_1_9;
+    let m_19_6 = -x_S_in_F_1_7;
     let m_19_7 = -x_S_in_F_1_8;
     let m_19_8 = -S::int(1);
     let m_19_24 = -x_S_in_F_1_9;
     let m_20_2 = -x_F_2_7;
     let m_20_3 = -x_F_2_8;
-    let m_20_6 = -x_S_in_F_2_8;
     let m_20_7 = -x_S_in_F_2_9;
     let m_20_9 = -S::int(1);
     let m_20_24 = -x_S_in_F_2_10;
@@ -3891,9 +3891,9 @@ pub fn linear_system<S: Scalar>(
             x_S_in_F_2_7, m_17_16, zero, zero, zero, zero, zero, zero, zero, zero, x_H_3_6, m_18_2,
             m_18_3, zero, zero, zero, zero, zero, x_F_in_H_3_7, zero, m_18_11, m_18_12,
             x_F_in_H_3_8, x_F_in_H_3_9, m_18_15, x_S_in_F_2_4, m_18_17, zero, zero, zero, zero,
-            zero, zero, zero, x_F_1_7, m_19_2, m_19_3, zero, zero, x_S_in_F_1_7, m_19_7, m_19_8,
+            zero, zero, zero, x_F_1_7, m_19_2, m_19_3, zero, zero, m_19_6, m_19_7, m_19_8, zero,
             zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
-            zero, m_19_24, x_F_2_6, m_20_2, m_20_3, zero, zero, m_20_6, m_20_7, zero, m_20_9, zero,
+            m_19_24, x_F_2_6, m_20_2, m_20_3, zero, zero, x_S_in_F_2_8, m_20_7, zero, m_20_9, zero,
             zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_20_24,
             m_21_1, x_F_3_8, x_F_3_9, zero, zero, m_21_6, x_B_in_S_3_6, zero, zero, m_21_10, zero,
             zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, m_21_24, m_22_1,

@@ -5,7 +5,7 @@ use super::factors::Factors;
 use super::relation::{FactorSolutions, Relation, RelationCondition, RelationKind};
 use super::workspace::Workspace;
 use super::{MOST_BRANCHES, MOST_STEPS, Solutions};
-use crate::algebra::form::ring::RingPolynomial;
+use crate::algebra::form::ring_polynomial::RingPolynomial;
 use crate::algebra::{Expr, Function, Node, Rational};
 
 /// Partly solved system of equations in a search.

@@ -1,7 +1,8 @@
 //! Factors of the numerators of terms, as far as trial division finds them.
 
 use super::workspace::Workspace;
-use crate::algebra::form::ring::{GENERATORS, Powers, Ring, RingPolynomial};
+use crate::algebra::form::ring::Ring;
+use crate::algebra::form::ring_polynomial::{GENERATORS, Powers, RingPolynomial};
 use crate::algebra::meaning::signs::Sign;
 use crate::algebra::{Expr, Function, Node, Rational};
 

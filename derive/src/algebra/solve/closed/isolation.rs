@@ -2,7 +2,7 @@
 
 use super::relation::{FactorSolutions, Relation, RelationCondition, RelationKind, Solution};
 use super::workspace::{Role, Workspace};
-use crate::algebra::form::ring::RingPolynomial;
+use crate::algebra::form::ring_polynomial::RingPolynomial;
 use crate::algebra::meaning::signs::Sign;
 use crate::algebra::{Expr, Function, Rational};
 

@@ -2,7 +2,7 @@
 //! multiplication.
 
 use super::workspace::Workspace;
-use crate::algebra::form::ring::RingPolynomial;
+use crate::algebra::form::ring_polynomial::RingPolynomial;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Expr, Function, Node};
 

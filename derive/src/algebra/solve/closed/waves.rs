@@ -4,7 +4,7 @@
 
 use super::relation::{FactorSolutions, Relation, Solution};
 use super::workspace::Workspace;
-use crate::algebra::form::ring::RingPolynomial;
+use crate::algebra::form::ring_polynomial::RingPolynomial;
 use crate::algebra::{Expr, Function, Node, Rational};
 use std::collections::BTreeMap;
 

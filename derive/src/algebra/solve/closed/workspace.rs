@@ -3,7 +3,7 @@
 
 use super::BUDGET;
 use crate::algebra::form::normal_form::Normalizer;
-use crate::algebra::form::ring::{Powers, RingPolynomial};
+use crate::algebra::form::ring_polynomial::{Powers, RingPolynomial};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::meaning::signs::Sign;

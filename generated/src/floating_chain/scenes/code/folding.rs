@@ -195,7 +195,7 @@ pub fn start<S: Scalar>(
 
 /// The accelerations (u4_from_u3', u5_from_u3'), solved for when this code was generated.
 ///
-/// 295 operations, 2 sines and cosines.
+/// 237 operations, 2 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S; 2] {
@@ -209,123 +209,146 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     // 1 + cos(theta3_from_theta1)
     let u3_of_place = S::int(1) + cos_theta3_from_theta1;
     let u3_of_place_2 = S::int(3) * cos_theta2_from_theta1;
-    let u3_of_place_3 = S::int(3) * sin_theta2_from_theta1;
-    let u3_of_place_4 = u3_of_place_3 * sin_theta3_from_theta1;
-    let u3_of_place_5 = S::int(6) * cos_theta2_from_theta1;
-    let u3_of_place_6 = S::int(2) * cos_theta3_from_theta1;
-    let u3_of_place_7 = sin_theta2_from_theta1 * sin_theta3_from_theta1;
-    let u3_of_place_7_times_6 = S::int(6) * u3_of_place_7;
-    // 1/(13 + u3_of_place*u3_of_place_5 + u3_of_place_6 + u3_of_place_7_times_6)
-    let u3_of_place_8 = S::int(1)
-        / (u3_of_place.mul_add(u3_of_place_5, S::int(13)) + u3_of_place_6 + u3_of_place_7_times_6);
+    let u3_of_place_3 = sin_theta2_from_theta1 * sin_theta3_from_theta1;
+    let u3_of_place_3_times_3 = S::int(3) * u3_of_place_3;
+    let u3_of_place_4 = S::int(6) * cos_theta2_from_theta1;
+    let u3_of_place_5 = S::int(2) * cos_theta3_from_theta1;
+    let u3_of_place_3_times_6 = S::int(6) * u3_of_place_3;
+    // 13 + u3_of_place*u3_of_place_4 + u3_of_place_5 + u3_of_place_3_times_6
+    let u3_of_place_6 = u3_of_place.mul_add(u3_of_place_4, S::int(13)) + u3_of_place_5
+        + u3_of_place_3_times_6;
+    let u3_of_place_6_inv = S::int(1) / u3_of_place_6;
     // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
-    let u3 = u3_of_place_8
+    let u3 = u3_of_place_6_inv
         * (H_n3_scaled_per_m_per_l_squared
-            - u4_from_u3 * (u3_of_place.mul_add(u3_of_place_2, S::int(7)) + u3_of_place_4)
+            - u4_from_u3 * (u3_of_place.mul_add(u3_of_place_2, S::int(7)) + u3_of_place_3_times_3)
             - u5_from_u3
                 * (S::int(3) + cos_theta3_from_theta1 * (S::int(1) + u3_of_place_2)
-                    + u3_of_place_4));
+                    + u3_of_place_3_times_3));
+    let r1__of_place = m_l_squared_by_12 * u3_of_place_6_inv;
     // 3 + cos(theta2_from_theta1)
-    let r1__of_place = S::int(3) + cos_theta2_from_theta1;
+    let r1__of_place_2 = S::int(3) + cos_theta2_from_theta1;
     // u3 + u5_from_u3
     let u3_plus_u5_from_u3 = u3 + u5_from_u3;
     // u3 + u4_from_u3
     let u3_plus_u4_from_u3 = u3 + u4_from_u3;
     // u5_from_u3 + u3_plus_u4_from_u3
     let r1__of_motion = u5_from_u3 + u3_plus_u4_from_u3;
-    let r1__of_motion_2 = u3_of_place_5 * r1__of_motion;
+    let r1__of_motion_2 = u3_of_place_4 * r1__of_motion;
     // u4_from_u3 + 2*u3_plus_u5_from_u3 + r1__of_motion_2
     let r1__of_motion_3 = u3_plus_u5_from_u3.mul_add(S::int(2), u4_from_u3) + r1__of_motion_2;
     let u5_from_u3_times_6 = S::int(6) * u5_from_u3;
-    let r1__of_place_2 = S::int(2) * sin_theta3_from_theta1;
+    let r1__of_place_3 = S::int(3) * sin_theta2_from_theta1;
+    let r1__of_place_4 = S::int(2) * sin_theta3_from_theta1;
     // 10 + u3_of_place_2
-    let r1__of_place_3 = S::int(10) + u3_of_place_2;
+    let r1__of_place_5 = S::int(10) + u3_of_place_2;
     let u3_times_13 = S::int(13) * u3;
     let u5_from_u3_sq = u5_from_u3 * u5_from_u3;
     let u4_from_u3_sq = u4_from_u3 * u4_from_u3;
     // u5_from_u3_sq + u4_from_u3_sq
     let r1__of_motion_4 = u5_from_u3_sq + u4_from_u3_sq;
-    // 2*u5_from_u3_sq + u4_from_u3_sq + u3_of_place_5*r1__of_motion_4
+    // 2*u5_from_u3_sq + u4_from_u3_sq + u3_of_place_4*r1__of_motion_4
     let r1__of_motion_5 = u5_from_u3_sq.mul_add(S::int(2), u4_from_u3_sq)
-        + u3_of_place_5 * r1__of_motion_4;
+        + u3_of_place_4 * r1__of_motion_4;
     let u4_from_u3_sq_times_9 = S::int(9) * u4_from_u3_sq;
     let u4_from_u3_sq_times_3 = S::int(3) * u4_from_u3_sq;
     let u5_from_u3_sq_times_3 = S::int(3) * u5_from_u3_sq;
     // u5_from_u3_sq + u4_from_u3_sq_times_3
     let r1__of_motion_6 = u5_from_u3_sq + u4_from_u3_sq_times_3;
-    let r1__of_place_4 = S::int(9) * cos_theta3_from_theta1;
-    // 7 + r1__of_place_4
-    let r1__of_place_5 = S::int(7) + r1__of_place_4;
-    // 1 + u3_of_place_6
-    let r1__of_place_6 = S::int(1) + u3_of_place_6;
-    // 2 + cos(theta3_from_theta1)
-    let r1__of_place_7 = S::int(2) + cos_theta3_from_theta1;
+    let r1__of_place_6 = S::int(9) * cos_theta3_from_theta1;
+    // 9*u3_of_place_3 - 12 + u3_of_place_2*(u3_of_place_3_times_3 - 3 - u3_of_place_2 +
+    //   cos(theta3_from_theta1)*(2 + cos(theta3_from_theta1) + u3_of_place_2*(1 + u3_of_place_5) +
+    //   u3_of_place_3_times_6)) + cos(theta3_from_theta1)*(u3_of_place_3_times_3 - 7 - r1__of_place_6)
+    let r1__of_place_7 = -S::int(12) + S::int(9) * u3_of_place_3
+        + u3_of_place_2
+            * (u3_of_place_3_times_3 - S::int(3) - u3_of_place_2
+                + cos_theta3_from_theta1
+                    * (S::int(2) + cos_theta3_from_theta1
+                        + u3_of_place_2 * (S::int(1) + u3_of_place_5) + u3_of_place_3_times_6))
+        + cos_theta3_from_theta1 * (u3_of_place_3_times_3 - S::int(7) - r1__of_place_6);
     // u5_from_u3 + 2*u3_plus_u4_from_u3
     let r1__of_motion_7 = u3_plus_u4_from_u3.mul_add(S::int(2), u5_from_u3);
-    // u3_of_place_6*r1__of_motion + r1__of_motion_7
-    let r1__of_motion_8 = u3_of_place_6.mul_add(r1__of_motion, r1__of_motion_7);
+    let u4_from_u3_times_14 = S::int(14) * u4_from_u3;
     // 6 + cos(theta3_from_theta1)
     let r1__of_place_8 = S::int(6) + cos_theta3_from_theta1;
     let u5_from_u3_doubled = S::int(2) * u5_from_u3;
-    let u4_from_u3_times_14 = S::int(14) * u4_from_u3;
-    // u3*(15 + u3_of_place_6) + r1__of_place_8*u5_from_u3_doubled
-    let r1__of_u5_from_u3 = u3 * (S::int(15) + u3_of_place_6) + r1__of_place_8 * u5_from_u3_doubled;
-    // u4_from_u3_times_14 + r1__of_u5_from_u3
-    let r1__of_motion_9 = u4_from_u3_times_14 + r1__of_u5_from_u3;
-    // u3_plus_u5_from_u3 + r1__of_motion_2
-    let r1__of_motion_10 = u3_plus_u5_from_u3 + r1__of_motion_2;
     // u3_times_13 + u4_from_u3_times_14
     let r1__of_u4_from_u3 = u3_times_13 + u4_from_u3_times_14;
-    // 10*u5_from_u3 + u3_of_place_5*r1__of_motion_7 + r1__of_u4_from_u3
-    let r1__of_motion_11 = u3_of_place_5
-        .mul_add(r1__of_motion_7, S::int(10) * u5_from_u3) + r1__of_u4_from_u3;
-    // 7*u5_from_u3 + 9*u3_plus_u4_from_u3
-    let r1__of_motion_12 = u3_plus_u4_from_u3.mul_add(S::int(9), S::int(7) * u5_from_u3);
-    // u3_of_place_2 - 1
-    let r1__of_place_9 = u3_of_place_2 - S::int(1);
-    // r1__of_u4_from_u3 - u5_from_u3_doubled*r1__of_place_9
-    let r1__of_motion_13 = (-u5_from_u3_doubled)
-        .mul_add(r1__of_place_9, r1__of_u4_from_u3);
-    // u4_from_u3_sq + r1__of_motion_4*cos(theta3_from_theta1)
-    let r1__of_motion_14 = r1__of_motion_4
-        .mul_add(cos_theta3_from_theta1, u4_from_u3_sq);
-    let u5_from_u3_sq_times_7 = S::int(7) * u5_from_u3_sq;
-    // u5_from_u3_sq + 2*r1__of_motion_14
-    let r1__of_motion_15 = r1__of_motion_14.mul_add(S::int(2), u5_from_u3_sq);
+    // u5_from_u3_sq + 2*u4_from_u3_sq + u3_of_place_5*r1__of_motion_4
+    let r1__of_motion_8 = u4_from_u3_sq.mul_add(S::int(2), u5_from_u3_sq)
+        + u3_of_place_5 * r1__of_motion_4;
     let u4_from_u3_sq_times_7 = S::int(7) * u4_from_u3_sq;
-    // u5_from_u3_sq*r1__of_place_8 + u4_from_u3_sq_times_7
-    let r1__of_motion_16 = u5_from_u3_sq.mul_add(r1__of_place_8, u4_from_u3_sq_times_7);
-    let r1__of_place_10 = S::int(18) * cos_theta2_from_theta1;
-    // 33 - u3_of_place_7*r1__of_place_10 + cos(theta3_from_theta1)*(14 + r1__of_place_4 -
-    //   r1__of_place_10*(u3_of_place*cos(theta2_from_theta1) + u3_of_place_7))
-    let r1__of_place_11 = S::int(33) - u3_of_place_7 * r1__of_place_10
+    // sin(theta3_from_theta1)*(7*u5_from_u3_sq + u4_from_u3_sq_times_9 + r1__of_motion_4*r1__of_place_6) +
+    //   u3*(3*cos(theta3_from_theta1)*(r1__of_place_4*(3*r1__of_motion -
+    //   cos(theta2_from_theta1)*(u3_plus_u5_from_u3 + r1__of_motion_2)) + sin(theta2_from_theta1)*(u3*(15 +
+    //   u3_of_place_5) + u3_of_place_4*(u3_of_place_5*r1__of_motion + r1__of_motion_7) + u4_from_u3_times_14
+    //   + r1__of_place_8*u5_from_u3_doubled)) + sin(theta3_from_theta1)*(14*u5_from_u3 +
+    //   18*u3_plus_u4_from_u3 - u3_of_place_2*(10*u5_from_u3 + u3_of_place_4*r1__of_motion_7 +
+    //   r1__of_u4_from_u3)) + r1__of_place_3*(u5_from_u3_doubled*(1 - u3_of_place_2) + r1__of_u4_from_u3)) -
+    //   u3_of_place_2*(r1__of_place_3*(u5_from_u3_sq - r1__of_motion_8*cos(theta3_from_theta1)) +
+    //   sin(theta3_from_theta1)*(u5_from_u3_sq*(5 + cos(theta3_from_theta1)) + u3_of_place_2*r1__of_motion_8
+    //   + u4_from_u3_sq_times_7)) + r1__of_place_3*(u5_from_u3_sq + u4_from_u3_sq_times_7 +
+    //   cos(theta3_from_theta1)*(u5_from_u3_sq*r1__of_place_8 + u4_from_u3_sq_times_7))
+    let r1__of_motion_9 = sin_theta3_from_theta1
+        * (u5_from_u3_sq.mul_add(S::int(7), u4_from_u3_sq_times_9)
+            + r1__of_motion_4 * r1__of_place_6)
+        + u3
+            * (S::int(3) * cos_theta3_from_theta1
+                * (r1__of_place_4
+                    * (-cos_theta2_from_theta1 * (u3_plus_u5_from_u3 + r1__of_motion_2)
+                        + S::int(3) * r1__of_motion)
+                    + sin_theta2_from_theta1
+                        * (u3 * (S::int(15) + u3_of_place_5)
+                            + u3_of_place_4 * u3_of_place_5.mul_add(r1__of_motion, r1__of_motion_7)
+                            + u4_from_u3_times_14 + r1__of_place_8 * u5_from_u3_doubled))
+                + sin_theta3_from_theta1
+                    * (S::int(14) * u5_from_u3 + S::int(18) * u3_plus_u4_from_u3
+                        - u3_of_place_2
+                            * (u3_of_place_4
+                                .mul_add(r1__of_motion_7, S::int(10) * u5_from_u3)
+                                + r1__of_u4_from_u3))
+                + r1__of_place_3
+                    * (u5_from_u3_doubled * (S::int(1) - u3_of_place_2) + r1__of_u4_from_u3))
+        - u3_of_place_2
+            * (r1__of_place_3 * (-r1__of_motion_8).mul_add(cos_theta3_from_theta1, u5_from_u3_sq)
+                + sin_theta3_from_theta1
+                    * (u5_from_u3_sq * (S::int(5) + cos_theta3_from_theta1)
+                        + u3_of_place_2 * r1__of_motion_8 + u4_from_u3_sq_times_7))
+        + r1__of_place_3
+            * (u5_from_u3_sq + u4_from_u3_sq_times_7
+                + cos_theta3_from_theta1
+                    * u5_from_u3_sq.mul_add(r1__of_place_8, u4_from_u3_sq_times_7));
+    let r1__of_place_9 = S::int(18) * cos_theta2_from_theta1;
+    // 33 - u3_of_place_3*r1__of_place_9 + cos(theta3_from_theta1)*(14 + r1__of_place_6 -
+    //   r1__of_place_9*(u3_of_place*cos(theta2_from_theta1) + u3_of_place_3))
+    let r1__of_place_10 = S::int(33) - u3_of_place_3 * r1__of_place_9
         + cos_theta3_from_theta1
-            * (S::int(14) + r1__of_place_4
-                - r1__of_place_10 * u3_of_place.mul_add(cos_theta2_from_theta1, u3_of_place_7));
-    let r1__of_place_11_inv = S::int(1) / r1__of_place_11;
-    // u3*(cos(theta3_from_theta1)*(u3_of_place_3*(u3*(13 + u3_of_place_5) + 6*u4_from_u3*r1__of_place +
-    //   u3_of_place_6*r1__of_motion_3 + u5_from_u3_times_6) + r1__of_place_2*(9*u4_from_u3 +
+            * (S::int(14) + r1__of_place_6
+                - r1__of_place_9 * u3_of_place.mul_add(cos_theta2_from_theta1, u3_of_place_3));
+    let r1__of_place_10_inv = S::int(1) / r1__of_place_10;
+    // u3*(cos(theta3_from_theta1)*(r1__of_place_3*(u3*(13 + u3_of_place_4) + 6*u4_from_u3*r1__of_place_2 +
+    //   u3_of_place_5*r1__of_motion_3 + u5_from_u3_times_6) + r1__of_place_4*(9*u4_from_u3 +
     //   8*u3_plus_u5_from_u3 - u3_of_place_2*r1__of_motion_3)) - 6*sin(theta2_from_theta1)*(3*u4_from_u3 +
     //   u3_plus_u5_from_u3 + u3_of_place_2*r1__of_motion) - sin(theta3_from_theta1)*(18*u4_from_u3 +
     //   u5_from_u3_times_6 + u3_of_place_2*(3*u3*(5 + 2*cos(theta2_from_theta1)) + u5_from_u3_times_6 +
-    //   2*u4_from_u3*r1__of_place_3) + u3_times_13)) +
+    //   2*u4_from_u3*r1__of_place_5) + u3_times_13)) +
     //   cos(theta3_from_theta1)*(sin(theta3_from_theta1)*(8*u5_from_u3_sq - u3_of_place_2*r1__of_motion_5 +
-    //   u4_from_u3_sq_times_9) + u3_of_place_3*(r1__of_motion_5*cos(theta3_from_theta1) +
-    //   r1__of_place*u4_from_u3_sq_times_3 + u5_from_u3_sq_times_3)) -
-    //   3*sin(theta3_from_theta1)*(cos(theta2_from_theta1)*(r1__of_place_3*u4_from_u3_sq +
-    //   u5_from_u3_sq_times_3) + r1__of_motion_6) - u3_of_place_3*(u3_of_place_2*r1__of_motion_4 +
+    //   u4_from_u3_sq_times_9) + r1__of_place_3*(r1__of_motion_5*cos(theta3_from_theta1) +
+    //   r1__of_place_2*u4_from_u3_sq_times_3 + u5_from_u3_sq_times_3)) -
+    //   3*sin(theta3_from_theta1)*(cos(theta2_from_theta1)*(r1__of_place_5*u4_from_u3_sq +
+    //   u5_from_u3_sq_times_3) + r1__of_motion_6) - r1__of_place_3*(u3_of_place_2*r1__of_motion_4 +
     //   r1__of_motion_6)
-    let r1__of_motion_17 = u3
+    let r1__of_motion_10 = u3
         * (cos_theta3_from_theta1
-            * (u3_of_place_3
-                * (u3 * (S::int(13) + u3_of_place_5) + S::int(6) * u4_from_u3 * r1__of_place
-                    + u3_of_place_6 * r1__of_motion_3 + u5_from_u3_times_6)
-                + r1__of_place_2
+            * (r1__of_place_3
+                * (u3 * (S::int(13) + u3_of_place_4) + S::int(6) * u4_from_u3 * r1__of_place_2
+                    + u3_of_place_5 * r1__of_motion_3 + u5_from_u3_times_6)
+                + r1__of_place_4
                     * (u3_plus_u5_from_u3.mul_add(S::int(8), S::int(9) * u4_from_u3)
                         - u3_of_place_2 * r1__of_motion_3))
             - S::int(6) * sin_theta2_from_theta1
@@ -336,21 +359,21 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
                     + u3_of_place_2
                         * (S::int(3) * u3 * cos_theta2_from_theta1.mul_add(S::int(2), S::int(5))
                             + u5_from_u3_times_6
-                            + S::int(2) * u4_from_u3 * r1__of_place_3) + u3_times_13))
+                            + S::int(2) * u4_from_u3 * r1__of_place_5) + u3_times_13))
         + cos_theta3_from_theta1
             * (sin_theta3_from_theta1
                 * ((-u3_of_place_2).mul_add(r1__of_motion_5, S::int(8) * u5_from_u3_sq)
                     + u4_from_u3_sq_times_9)
-                + u3_of_place_3
-                    * (r1__of_place
+                + r1__of_place_3
+                    * (r1__of_place_2
                         .mul_add(
                             u4_from_u3_sq_times_3,
                             r1__of_motion_5 * cos_theta3_from_theta1,
                         ) + u5_from_u3_sq_times_3))
         - S::int(3) * sin_theta3_from_theta1
-            * (cos_theta2_from_theta1 * r1__of_place_3.mul_add(u4_from_u3_sq, u5_from_u3_sq_times_3)
+            * (cos_theta2_from_theta1 * r1__of_place_5.mul_add(u4_from_u3_sq, u5_from_u3_sq_times_3)
                 + r1__of_motion_6)
-        - u3_of_place_3 * u3_of_place_2.mul_add(r1__of_motion_4, r1__of_motion_6);
+        - r1__of_place_3 * u3_of_place_2.mul_add(r1__of_motion_4, r1__of_motion_6);
     // r1_ = m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
     //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
     //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
@@ -398,41 +421,10 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     //   u5_from_u3^2 + 3*cos(theta2_from_theta1)*(u4_from_u3^2 + u5_from_u3^2)))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
-    let r1_ = m_l_squared_by_12 * u3_of_place_8
-        * (r1__of_place_11_inv
-            * (-S::int(12) + S::int(9) * u3_of_place_7
-                + cos_theta3_from_theta1 * (u3_of_place_4 - r1__of_place_5)
-                + u3_of_place_2
-                    * (u3_of_place_4 - S::int(3) - u3_of_place_2
-                        + cos_theta3_from_theta1
-                            * (u3_of_place_2
-                                .mul_add(r1__of_place_6, u3_of_place_7_times_6) + r1__of_place_7)))
-            * (u3
-                * (S::int(3) * cos_theta3_from_theta1
-                    * (sin_theta2_from_theta1
-                        * u3_of_place_5.mul_add(r1__of_motion_8, r1__of_motion_9)
-                        + r1__of_place_2
-                            * (-r1__of_motion_10)
-                                .mul_add(cos_theta2_from_theta1, S::int(3) * r1__of_motion))
-                    + sin_theta3_from_theta1
-                        * (-u3_of_place_2)
-                            .mul_add(r1__of_motion_11, S::int(2) * r1__of_motion_12)
-                    + u3_of_place_3 * r1__of_motion_13)
-                + sin_theta3_from_theta1
-                    * r1__of_motion_14.mul_add(S::int(9), u5_from_u3_sq_times_7)
-                - u3_of_place_2
-                    * (u3_of_place_3
-                        * (-r1__of_motion_15)
-                            .mul_add(cos_theta3_from_theta1, u5_from_u3_sq)
-                        + sin_theta3_from_theta1
-                            * (u5_from_u3_sq * (S::int(5) + cos_theta3_from_theta1)
-                                + u3_of_place_2 * r1__of_motion_15 + u4_from_u3_sq_times_7))
-                + u3_of_place_3
-                    * r1__of_motion_16
-                        .mul_add(
-                            cos_theta3_from_theta1,
-                            u5_from_u3_sq + u4_from_u3_sq_times_7,
-                        )) + r1__of_motion_17);
+    let r1_ = r1__of_place
+        * (r1__of_place_7 * r1__of_motion_9)
+            .mul_add(r1__of_place_10_inv, r1__of_motion_10);
+    let m_l_squared_by_12_inv = S::int(1) / m_l_squared_by_12;
     // u5_from_u3' = r1_*(33 - 18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
@@ -440,76 +432,47 @@ pub fn accelerations<S: Scalar>(p: &Parameters<S>, q: &[S; 3], u: &[S; 2]) -> [S
     //   cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) -
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1)))))
-    let u5_from_u3_dot = S::ratio(1, 4) * r1_ * r1__of_place_11
-        / (m_l_squared_by_12
-            * (S::int(9)
-                + cos_theta3_from_theta1
-                    * (-S::int(9) * cos_theta2_from_theta1
-                        * cos_theta2_from_theta1
-                            .mul_add(cos_theta3_from_theta1, u3_of_place_7)
-                        + S::int(5) * cos_theta3_from_theta1)));
-    let u3_doubled = S::int(2) * u3;
-    // u4_from_u3' = (3*sin(theta2_from_theta1)*(7*u4_from_u3^2 + u5_from_u3^2*(1 -
-    //   3*cos(theta2_from_theta1)) + u3*(13*u3 + 14*u4_from_u3 + 2*u5_from_u3*(1 -
-    //   3*cos(theta2_from_theta1)))) - 3*u5_from_u3'*(4 + 3*cos(theta2_from_theta1)*(1 +
-    //   cos(theta2_from_theta1))) + cos(theta3_from_theta1)*(9*sin(theta3_from_theta1)*(u4_from_u3^2 +
-    //   u5_from_u3^2 + 2*u3*(u3 + u4_from_u3 + u5_from_u3)) - u5_from_u3'*(7 + 9*cos(theta3_from_theta1)) +
-    //   3*cos(theta2_from_theta1)*(u5_from_u3'*(2 + cos(theta3_from_theta1)) -
-    //   u5_from_u3^2*sin(theta3_from_theta1) - 2*u3*(sin(theta3_from_theta1)*(u3 + u5_from_u3 +
-    //   6*cos(theta2_from_theta1)*(u3 + u4_from_u3 + u5_from_u3)) - 3*sin(theta2_from_theta1)*(2*u3 +
-    //   2*u4_from_u3 + u5_from_u3 + 2*cos(theta3_from_theta1)*(u3 + u4_from_u3 + u5_from_u3))) +
-    //   3*sin(theta2_from_theta1)*(2*u4_from_u3^2 + u5_from_u3^2 + 2*cos(theta3_from_theta1)*(u4_from_u3^2 +
-    //   u5_from_u3^2) + 2*u5_from_u3'*sin(theta3_from_theta1)) -
-    //   3*cos(theta2_from_theta1)*(2*sin(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2) - u5_from_u3'*(1
-    //   + 2*cos(theta3_from_theta1)))) + 3*sin(theta2_from_theta1)*(7*u4_from_u3^2 + u5_from_u3^2*(6 +
-    //   cos(theta3_from_theta1)) + u3*(u3*(15 + 2*cos(theta3_from_theta1)) + 14*u4_from_u3 + 2*u5_from_u3*(6
-    //   + cos(theta3_from_theta1))) + u5_from_u3'*sin(theta3_from_theta1))) +
-    //   sin(theta3_from_theta1)*(9*u4_from_u3^2 + 7*u5_from_u3^2 + 2*u3*(9*u3 + 9*u4_from_u3 + 7*u5_from_u3)
-    //   + 9*u5_from_u3'*sin(theta2_from_theta1) +
-    //   3*cos(theta2_from_theta1)*(3*u5_from_u3'*sin(theta2_from_theta1) - 7*u4_from_u3^2 - 5*u5_from_u3^2 -
-    //   u3*(13*u3 + 14*u4_from_u3 + 10*u5_from_u3 + 6*cos(theta2_from_theta1)*(2*u3 + 2*u4_from_u3 +
-    //   u5_from_u3)) - 3*cos(theta2_from_theta1)*(2*u4_from_u3^2 +
-    //   u5_from_u3^2))))/(18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) - 33 -
-    //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
+    let u5_from_u3_dot = S::ratio(1, 4) * r1_ * r1__of_place_10 * m_l_squared_by_12_inv
+        / (S::int(9)
+            + cos_theta3_from_theta1
+                * (-S::int(9) * cos_theta2_from_theta1
+                    * cos_theta2_from_theta1
+                        .mul_add(cos_theta3_from_theta1, u3_of_place_3)
+                    + S::int(5) * cos_theta3_from_theta1));
+    // u4_from_u3' = (13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1)))*(m_l_squared_by_12*(u3*(3*cos(theta3_from_theta1)*(sin(theta2_from_theta1)*(u3*(15
+    //   + 2*cos(theta3_from_theta1)) + 14*u4_from_u3 + 2*u5_from_u3*(6 + cos(theta3_from_theta1)) +
+    //   6*cos(theta2_from_theta1)*(2*u3 + 2*u4_from_u3 + u5_from_u3 + 2*cos(theta3_from_theta1)*(u3 +
+    //   u4_from_u3 + u5_from_u3))) + 2*sin(theta3_from_theta1)*(3*u3 + 3*u4_from_u3 + 3*u5_from_u3 -
+    //   cos(theta2_from_theta1)*(u3 + u5_from_u3 + 6*cos(theta2_from_theta1)*(u3 + u4_from_u3 +
+    //   u5_from_u3)))) + sin(theta3_from_theta1)*(18*u3 + 18*u4_from_u3 + 14*u5_from_u3 -
+    //   3*cos(theta2_from_theta1)*(13*u3 + 14*u4_from_u3 + 10*u5_from_u3 + 6*cos(theta2_from_theta1)*(2*u3 +
+    //   2*u4_from_u3 + u5_from_u3))) + 3*sin(theta2_from_theta1)*(13*u3 + 14*u4_from_u3 + 2*u5_from_u3*(1 -
+    //   3*cos(theta2_from_theta1)))) - 3*cos(theta2_from_theta1)*(sin(theta3_from_theta1)*(7*u4_from_u3^2 +
+    //   u5_from_u3^2*(5 + cos(theta3_from_theta1)) + 3*cos(theta2_from_theta1)*(2*u4_from_u3^2 +
+    //   u5_from_u3^2 + 2*cos(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2))) +
+    //   3*sin(theta2_from_theta1)*(u5_from_u3^2 - cos(theta3_from_theta1)*(2*u4_from_u3^2 + u5_from_u3^2 +
+    //   2*cos(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2)))) +
+    //   3*sin(theta2_from_theta1)*(7*u4_from_u3^2 + u5_from_u3^2 + cos(theta3_from_theta1)*(7*u4_from_u3^2 +
+    //   u5_from_u3^2*(6 + cos(theta3_from_theta1)))) + sin(theta3_from_theta1)*(9*u4_from_u3^2 +
+    //   7*u5_from_u3^2 + 9*cos(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2)))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) +
+    //   u5_from_u3'*m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
+    //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
+    //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1) +
+    //   3*cos(theta2_from_theta1)*(1 + 2*cos(theta3_from_theta1)))) +
+    //   cos(theta3_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 7 -
+    //   9*cos(theta3_from_theta1)))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))))/(m_l_squared_by_12*(18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1)
+    //   - 33 - cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))
-    let u4_from_u3_dot = r1__of_place_11_inv
-        * (S::int(3) * u5_from_u3_dot
-            * (S::int(4) + u3_of_place_2 * (S::int(1) + cos_theta2_from_theta1))
-            - u3_of_place_3
-                * ((-u5_from_u3_sq).mul_add(r1__of_place_9, u3 * r1__of_motion_13)
-                    + u4_from_u3_sq_times_7)
-            - cos_theta3_from_theta1
-                * (u3_of_place_3
-                    * (u3
-                        .mul_add(
-                            r1__of_motion_9,
-                            u5_from_u3_dot * sin_theta3_from_theta1,
-                        ) + r1__of_motion_16) - u5_from_u3_dot * r1__of_place_5
-                    + S::int(9) * sin_theta3_from_theta1
-                        * r1__of_motion.mul_add(u3_doubled, r1__of_motion_4)
-                    + u3_of_place_2
-                        * (u3_of_place_2
-                            * (-r1__of_place_2)
-                                .mul_add(r1__of_motion_4, u5_from_u3_dot * r1__of_place_6)
-                            - u5_from_u3_sq * sin_theta3_from_theta1
-                            + u5_from_u3_dot * r1__of_place_7
-                            + u3_of_place_3
-                                * u5_from_u3_dot.mul_add(r1__of_place_2, r1__of_motion_15)
-                            + u3_doubled
-                                * (-r1__of_motion_10)
-                                    .mul_add(
-                                        sin_theta3_from_theta1,
-                                        u3_of_place_3 * r1__of_motion_8,
-                                    )))
-            - sin_theta3_from_theta1
-                * (u4_from_u3_sq_times_9 + S::int(9) * u5_from_u3_dot * sin_theta2_from_theta1
-                    + u5_from_u3_sq_times_7
-                    + u3_of_place_2
-                        * (u5_from_u3_dot * u3_of_place_3 - S::int(5) * u5_from_u3_sq
-                            - u3_of_place_2 * u4_from_u3_sq.mul_add(S::int(2), u5_from_u3_sq)
-                            - u3 * r1__of_motion_11 - u4_from_u3_sq_times_7)
-                    + r1__of_motion_12 * u3_doubled));
+    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))))))
+    let u4_from_u3_dot = -u3_of_place_6 * r1__of_place * r1__of_place_10_inv * m_l_squared_by_12_inv
+        * u5_from_u3_dot.mul_add(r1__of_place_7, r1__of_motion_9);
     [u4_from_u3_dot, u5_from_u3_dot]
 }
 
@@ -722,7 +685,7 @@ pub fn outputs<S: Scalar>(p: &Parameters<S>, t: S, q: &[S; 3], u: &[S; 2]) -> [S
 
 /// The derivative of the state: the rates of the coordinates, and the accelerations.
 ///
-/// 295 operations, 2 sines and cosines.
+/// 237 operations, 2 sines and cosines.
 #[must_use]
 #[inline(always)]
 pub fn derivative<S: Scalar>(
@@ -740,123 +703,146 @@ pub fn derivative<S: Scalar>(
     // 1 + cos(theta3_from_theta1)
     let u3_of_place = S::int(1) + cos_theta3_from_theta1;
     let u3_of_place_2 = S::int(3) * cos_theta2_from_theta1;
-    let u3_of_place_3 = S::int(3) * sin_theta2_from_theta1;
-    let u3_of_place_4 = u3_of_place_3 * sin_theta3_from_theta1;
-    let u3_of_place_5 = S::int(6) * cos_theta2_from_theta1;
-    let u3_of_place_6 = S::int(2) * cos_theta3_from_theta1;
-    let u3_of_place_7 = sin_theta2_from_theta1 * sin_theta3_from_theta1;
-    let u3_of_place_7_times_6 = S::int(6) * u3_of_place_7;
-    // 1/(13 + u3_of_place*u3_of_place_5 + u3_of_place_6 + u3_of_place_7_times_6)
-    let u3_of_place_8 = S::int(1)
-        / (u3_of_place.mul_add(u3_of_place_5, S::int(13)) + u3_of_place_6 + u3_of_place_7_times_6);
+    let u3_of_place_3 = sin_theta2_from_theta1 * sin_theta3_from_theta1;
+    let u3_of_place_3_times_3 = S::int(3) * u3_of_place_3;
+    let u3_of_place_4 = S::int(6) * cos_theta2_from_theta1;
+    let u3_of_place_5 = S::int(2) * cos_theta3_from_theta1;
+    let u3_of_place_3_times_6 = S::int(6) * u3_of_place_3;
+    // 13 + u3_of_place*u3_of_place_4 + u3_of_place_5 + u3_of_place_3_times_6
+    let u3_of_place_6 = u3_of_place.mul_add(u3_of_place_4, S::int(13)) + u3_of_place_5
+        + u3_of_place_3_times_6;
+    let u3_of_place_6_inv = S::int(1) / u3_of_place_6;
     // u3 = (H_n3_scaled_per_m_per_l_squared - u4_from_u3*(7 +
     //   3*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 3*cos(theta2_from_theta1)*(1 +
     //   cos(theta3_from_theta1))) - u5_from_u3*(3 + 3*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(1 + 3*cos(theta2_from_theta1))))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
-    let u3 = u3_of_place_8
+    let u3 = u3_of_place_6_inv
         * (H_n3_scaled_per_m_per_l_squared
-            - u4_from_u3 * (u3_of_place.mul_add(u3_of_place_2, S::int(7)) + u3_of_place_4)
+            - u4_from_u3 * (u3_of_place.mul_add(u3_of_place_2, S::int(7)) + u3_of_place_3_times_3)
             - u5_from_u3
                 * (S::int(3) + cos_theta3_from_theta1 * (S::int(1) + u3_of_place_2)
-                    + u3_of_place_4));
+                    + u3_of_place_3_times_3));
+    let r1__of_place = m_l_squared_by_12 * u3_of_place_6_inv;
     // 3 + cos(theta2_from_theta1)
-    let r1__of_place = S::int(3) + cos_theta2_from_theta1;
+    let r1__of_place_2 = S::int(3) + cos_theta2_from_theta1;
     // u3 + u5_from_u3
     let u3_plus_u5_from_u3 = u3 + u5_from_u3;
     // u3 + u4_from_u3
     let u3_plus_u4_from_u3 = u3 + u4_from_u3;
     // u5_from_u3 + u3_plus_u4_from_u3
     let r1__of_motion = u5_from_u3 + u3_plus_u4_from_u3;
-    let r1__of_motion_2 = u3_of_place_5 * r1__of_motion;
+    let r1__of_motion_2 = u3_of_place_4 * r1__of_motion;
     // u4_from_u3 + 2*u3_plus_u5_from_u3 + r1__of_motion_2
     let r1__of_motion_3 = u3_plus_u5_from_u3.mul_add(S::int(2), u4_from_u3) + r1__of_motion_2;
     let u5_from_u3_times_6 = S::int(6) * u5_from_u3;
-    let r1__of_place_2 = S::int(2) * sin_theta3_from_theta1;
+    let r1__of_place_3 = S::int(3) * sin_theta2_from_theta1;
+    let r1__of_place_4 = S::int(2) * sin_theta3_from_theta1;
     // 10 + u3_of_place_2
-    let r1__of_place_3 = S::int(10) + u3_of_place_2;
+    let r1__of_place_5 = S::int(10) + u3_of_place_2;
     let u3_times_13 = S::int(13) * u3;
     let u5_from_u3_sq = u5_from_u3 * u5_from_u3;
     let u4_from_u3_sq = u4_from_u3 * u4_from_u3;
     // u5_from_u3_sq + u4_from_u3_sq
     let r1__of_motion_4 = u5_from_u3_sq + u4_from_u3_sq;
-    // 2*u5_from_u3_sq + u4_from_u3_sq + u3_of_place_5*r1__of_motion_4
+    // 2*u5_from_u3_sq + u4_from_u3_sq + u3_of_place_4*r1__of_motion_4
     let r1__of_motion_5 = u5_from_u3_sq.mul_add(S::int(2), u4_from_u3_sq)
-        + u3_of_place_5 * r1__of_motion_4;
+        + u3_of_place_4 * r1__of_motion_4;
     let u4_from_u3_sq_times_9 = S::int(9) * u4_from_u3_sq;
     let u4_from_u3_sq_times_3 = S::int(3) * u4_from_u3_sq;
     let u5_from_u3_sq_times_3 = S::int(3) * u5_from_u3_sq;
     // u5_from_u3_sq + u4_from_u3_sq_times_3
     let r1__of_motion_6 = u5_from_u3_sq + u4_from_u3_sq_times_3;
-    let r1__of_place_4 = S::int(9) * cos_theta3_from_theta1;
-    // 7 + r1__of_place_4
-    let r1__of_place_5 = S::int(7) + r1__of_place_4;
-    // 1 + u3_of_place_6
-    let r1__of_place_6 = S::int(1) + u3_of_place_6;
-    // 2 + cos(theta3_from_theta1)
-    let r1__of_place_7 = S::int(2) + cos_theta3_from_theta1;
+    let r1__of_place_6 = S::int(9) * cos_theta3_from_theta1;
+    // 9*u3_of_place_3 - 12 + u3_of_place_2*(u3_of_place_3_times_3 - 3 - u3_of_place_2 +
+    //   cos(theta3_from_theta1)*(2 + cos(theta3_from_theta1) + u3_of_place_2*(1 + u3_of_place_5) +
+    //   u3_of_place_3_times_6)) + cos(theta3_from_theta1)*(u3_of_place_3_times_3 - 7 - r1__of_place_6)
+    let r1__of_place_7 = -S::int(12) + S::int(9) * u3_of_place_3
+        + u3_of_place_2
+            * (u3_of_place_3_times_3 - S::int(3) - u3_of_place_2
+                + cos_theta3_from_theta1
+                    * (S::int(2) + cos_theta3_from_theta1
+                        + u3_of_place_2 * (S::int(1) + u3_of_place_5) + u3_of_place_3_times_6))
+        + cos_theta3_from_theta1 * (u3_of_place_3_times_3 - S::int(7) - r1__of_place_6);
     // u5_from_u3 + 2*u3_plus_u4_from_u3
     let r1__of_motion_7 = u3_plus_u4_from_u3.mul_add(S::int(2), u5_from_u3);
-    // u3_of_place_6*r1__of_motion + r1__of_motion_7
-    let r1__of_motion_8 = u3_of_place_6.mul_add(r1__of_motion, r1__of_motion_7);
+    let u4_from_u3_times_14 = S::int(14) * u4_from_u3;
     // 6 + cos(theta3_from_theta1)
     let r1__of_place_8 = S::int(6) + cos_theta3_from_theta1;
     let u5_from_u3_doubled = S::int(2) * u5_from_u3;
-    let u4_from_u3_times_14 = S::int(14) * u4_from_u3;
-    // u3*(15 + u3_of_place_6) + r1__of_place_8*u5_from_u3_doubled
-    let r1__of_u5_from_u3 = u3 * (S::int(15) + u3_of_place_6) + r1__of_place_8 * u5_from_u3_doubled;
-    // u4_from_u3_times_14 + r1__of_u5_from_u3
-    let r1__of_motion_9 = u4_from_u3_times_14 + r1__of_u5_from_u3;
-    // u3_plus_u5_from_u3 + r1__of_motion_2
-    let r1__of_motion_10 = u3_plus_u5_from_u3 + r1__of_motion_2;
     // u3_times_13 + u4_from_u3_times_14
     let r1__of_u4_from_u3 = u3_times_13 + u4_from_u3_times_14;
-    // 10*u5_from_u3 + u3_of_place_5*r1__of_motion_7 + r1__of_u4_from_u3
-    let r1__of_motion_11 = u3_of_place_5
-        .mul_add(r1__of_motion_7, S::int(10) * u5_from_u3) + r1__of_u4_from_u3;
-    // 7*u5_from_u3 + 9*u3_plus_u4_from_u3
-    let r1__of_motion_12 = u3_plus_u4_from_u3.mul_add(S::int(9), S::int(7) * u5_from_u3);
-    // u3_of_place_2 - 1
-    let r1__of_place_9 = u3_of_place_2 - S::int(1);
-    // r1__of_u4_from_u3 - u5_from_u3_doubled*r1__of_place_9
-    let r1__of_motion_13 = (-u5_from_u3_doubled)
-        .mul_add(r1__of_place_9, r1__of_u4_from_u3);
-    // u4_from_u3_sq + r1__of_motion_4*cos(theta3_from_theta1)
-    let r1__of_motion_14 = r1__of_motion_4
-        .mul_add(cos_theta3_from_theta1, u4_from_u3_sq);
-    let u5_from_u3_sq_times_7 = S::int(7) * u5_from_u3_sq;
-    // u5_from_u3_sq + 2*r1__of_motion_14
-    let r1__of_motion_15 = r1__of_motion_14.mul_add(S::int(2), u5_from_u3_sq);
+    // u5_from_u3_sq + 2*u4_from_u3_sq + u3_of_place_5*r1__of_motion_4
+    let r1__of_motion_8 = u4_from_u3_sq.mul_add(S::int(2), u5_from_u3_sq)
+        + u3_of_place_5 * r1__of_motion_4;
     let u4_from_u3_sq_times_7 = S::int(7) * u4_from_u3_sq;
-    // u5_from_u3_sq*r1__of_place_8 + u4_from_u3_sq_times_7
-    let r1__of_motion_16 = u5_from_u3_sq.mul_add(r1__of_place_8, u4_from_u3_sq_times_7);
-    let r1__of_place_10 = S::int(18) * cos_theta2_from_theta1;
-    // 33 - u3_of_place_7*r1__of_place_10 + cos(theta3_from_theta1)*(14 + r1__of_place_4 -
-    //   r1__of_place_10*(u3_of_place*cos(theta2_from_theta1) + u3_of_place_7))
-    let r1__of_place_11 = S::int(33) - u3_of_place_7 * r1__of_place_10
+    // sin(theta3_from_theta1)*(7*u5_from_u3_sq + u4_from_u3_sq_times_9 + r1__of_motion_4*r1__of_place_6) +
+    //   u3*(3*cos(theta3_from_theta1)*(r1__of_place_4*(3*r1__of_motion -
+    //   cos(theta2_from_theta1)*(u3_plus_u5_from_u3 + r1__of_motion_2)) + sin(theta2_from_theta1)*(u3*(15 +
+    //   u3_of_place_5) + u3_of_place_4*(u3_of_place_5*r1__of_motion + r1__of_motion_7) + u4_from_u3_times_14
+    //   + r1__of_place_8*u5_from_u3_doubled)) + sin(theta3_from_theta1)*(14*u5_from_u3 +
+    //   18*u3_plus_u4_from_u3 - u3_of_place_2*(10*u5_from_u3 + u3_of_place_4*r1__of_motion_7 +
+    //   r1__of_u4_from_u3)) + r1__of_place_3*(u5_from_u3_doubled*(1 - u3_of_place_2) + r1__of_u4_from_u3)) -
+    //   u3_of_place_2*(r1__of_place_3*(u5_from_u3_sq - r1__of_motion_8*cos(theta3_from_theta1)) +
+    //   sin(theta3_from_theta1)*(u5_from_u3_sq*(5 + cos(theta3_from_theta1)) + u3_of_place_2*r1__of_motion_8
+    //   + u4_from_u3_sq_times_7)) + r1__of_place_3*(u5_from_u3_sq + u4_from_u3_sq_times_7 +
+    //   cos(theta3_from_theta1)*(u5_from_u3_sq*r1__of_place_8 + u4_from_u3_sq_times_7))
+    let r1__of_motion_9 = sin_theta3_from_theta1
+        * (u5_from_u3_sq.mul_add(S::int(7), u4_from_u3_sq_times_9)
+            + r1__of_motion_4 * r1__of_place_6)
+        + u3
+            * (S::int(3) * cos_theta3_from_theta1
+                * (r1__of_place_4
+                    * (-cos_theta2_from_theta1 * (u3_plus_u5_from_u3 + r1__of_motion_2)
+                        + S::int(3) * r1__of_motion)
+                    + sin_theta2_from_theta1
+                        * (u3 * (S::int(15) + u3_of_place_5)
+                            + u3_of_place_4 * u3_of_place_5.mul_add(r1__of_motion, r1__of_motion_7)
+                            + u4_from_u3_times_14 + r1__of_place_8 * u5_from_u3_doubled))
+                + sin_theta3_from_theta1
+                    * (S::int(14) * u5_from_u3 + S::int(18) * u3_plus_u4_from_u3
+                        - u3_of_place_2
+                            * (u3_of_place_4
+                                .mul_add(r1__of_motion_7, S::int(10) * u5_from_u3)
+                                + r1__of_u4_from_u3))
+                + r1__of_place_3
+                    * (u5_from_u3_doubled * (S::int(1) - u3_of_place_2) + r1__of_u4_from_u3))
+        - u3_of_place_2
+            * (r1__of_place_3 * (-r1__of_motion_8).mul_add(cos_theta3_from_theta1, u5_from_u3_sq)
+                + sin_theta3_from_theta1
+                    * (u5_from_u3_sq * (S::int(5) + cos_theta3_from_theta1)
+                        + u3_of_place_2 * r1__of_motion_8 + u4_from_u3_sq_times_7))
+        + r1__of_place_3
+            * (u5_from_u3_sq + u4_from_u3_sq_times_7
+                + cos_theta3_from_theta1
+                    * u5_from_u3_sq.mul_add(r1__of_place_8, u4_from_u3_sq_times_7));
+    let r1__of_place_9 = S::int(18) * cos_theta2_from_theta1;
+    // 33 - u3_of_place_3*r1__of_place_9 + cos(theta3_from_theta1)*(14 + r1__of_place_6 -
+    //   r1__of_place_9*(u3_of_place*cos(theta2_from_theta1) + u3_of_place_3))
+    let r1__of_place_10 = S::int(33) - u3_of_place_3 * r1__of_place_9
         + cos_theta3_from_theta1
-            * (S::int(14) + r1__of_place_4
-                - r1__of_place_10 * u3_of_place.mul_add(cos_theta2_from_theta1, u3_of_place_7));
-    let r1__of_place_11_inv = S::int(1) / r1__of_place_11;
-    // u3*(cos(theta3_from_theta1)*(u3_of_place_3*(u3*(13 + u3_of_place_5) + 6*u4_from_u3*r1__of_place +
-    //   u3_of_place_6*r1__of_motion_3 + u5_from_u3_times_6) + r1__of_place_2*(9*u4_from_u3 +
+            * (S::int(14) + r1__of_place_6
+                - r1__of_place_9 * u3_of_place.mul_add(cos_theta2_from_theta1, u3_of_place_3));
+    let r1__of_place_10_inv = S::int(1) / r1__of_place_10;
+    // u3*(cos(theta3_from_theta1)*(r1__of_place_3*(u3*(13 + u3_of_place_4) + 6*u4_from_u3*r1__of_place_2 +
+    //   u3_of_place_5*r1__of_motion_3 + u5_from_u3_times_6) + r1__of_place_4*(9*u4_from_u3 +
     //   8*u3_plus_u5_from_u3 - u3_of_place_2*r1__of_motion_3)) - 6*sin(theta2_from_theta1)*(3*u4_from_u3 +
     //   u3_plus_u5_from_u3 + u3_of_place_2*r1__of_motion) - sin(theta3_from_theta1)*(18*u4_from_u3 +
     //   u5_from_u3_times_6 + u3_of_place_2*(3*u3*(5 + 2*cos(theta2_from_theta1)) + u5_from_u3_times_6 +
-    //   2*u4_from_u3*r1__of_place_3) + u3_times_13)) +
+    //   2*u4_from_u3*r1__of_place_5) + u3_times_13)) +
     //   cos(theta3_from_theta1)*(sin(theta3_from_theta1)*(8*u5_from_u3_sq - u3_of_place_2*r1__of_motion_5 +
-    //   u4_from_u3_sq_times_9) + u3_of_place_3*(r1__of_motion_5*cos(theta3_from_theta1) +
-    //   r1__of_place*u4_from_u3_sq_times_3 + u5_from_u3_sq_times_3)) -
-    //   3*sin(theta3_from_theta1)*(cos(theta2_from_theta1)*(r1__of_place_3*u4_from_u3_sq +
-    //   u5_from_u3_sq_times_3) + r1__of_motion_6) - u3_of_place_3*(u3_of_place_2*r1__of_motion_4 +
+    //   u4_from_u3_sq_times_9) + r1__of_place_3*(r1__of_motion_5*cos(theta3_from_theta1) +
+    //   r1__of_place_2*u4_from_u3_sq_times_3 + u5_from_u3_sq_times_3)) -
+    //   3*sin(theta3_from_theta1)*(cos(theta2_from_theta1)*(r1__of_place_5*u4_from_u3_sq +
+    //   u5_from_u3_sq_times_3) + r1__of_motion_6) - r1__of_place_3*(u3_of_place_2*r1__of_motion_4 +
     //   r1__of_motion_6)
-    let r1__of_motion_17 = u3
+    let r1__of_motion_10 = u3
         * (cos_theta3_from_theta1
-            * (u3_of_place_3
-                * (u3 * (S::int(13) + u3_of_place_5) + S::int(6) * u4_from_u3 * r1__of_place
-                    + u3_of_place_6 * r1__of_motion_3 + u5_from_u3_times_6)
-                + r1__of_place_2
+            * (r1__of_place_3
+                * (u3 * (S::int(13) + u3_of_place_4) + S::int(6) * u4_from_u3 * r1__of_place_2
+                    + u3_of_place_5 * r1__of_motion_3 + u5_from_u3_times_6)
+                + r1__of_place_4
                     * (u3_plus_u5_from_u3.mul_add(S::int(8), S::int(9) * u4_from_u3)
                         - u3_of_place_2 * r1__of_motion_3))
             - S::int(6) * sin_theta2_from_theta1
@@ -867,21 +853,21 @@ pub fn derivative<S: Scalar>(
                     + u3_of_place_2
                         * (S::int(3) * u3 * cos_theta2_from_theta1.mul_add(S::int(2), S::int(5))
                             + u5_from_u3_times_6
-                            + S::int(2) * u4_from_u3 * r1__of_place_3) + u3_times_13))
+                            + S::int(2) * u4_from_u3 * r1__of_place_5) + u3_times_13))
         + cos_theta3_from_theta1
             * (sin_theta3_from_theta1
                 * ((-u3_of_place_2).mul_add(r1__of_motion_5, S::int(8) * u5_from_u3_sq)
                     + u4_from_u3_sq_times_9)
-                + u3_of_place_3
-                    * (r1__of_place
+                + r1__of_place_3
+                    * (r1__of_place_2
                         .mul_add(
                             u4_from_u3_sq_times_3,
                             r1__of_motion_5 * cos_theta3_from_theta1,
                         ) + u5_from_u3_sq_times_3))
         - S::int(3) * sin_theta3_from_theta1
-            * (cos_theta2_from_theta1 * r1__of_place_3.mul_add(u4_from_u3_sq, u5_from_u3_sq_times_3)
+            * (cos_theta2_from_theta1 * r1__of_place_5.mul_add(u4_from_u3_sq, u5_from_u3_sq_times_3)
                 + r1__of_motion_6)
-        - u3_of_place_3 * u3_of_place_2.mul_add(r1__of_motion_4, r1__of_motion_6);
+        - r1__of_place_3 * u3_of_place_2.mul_add(r1__of_motion_4, r1__of_motion_6);
     // r1_ = m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
     //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
     //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
@@ -929,41 +915,10 @@ pub fn derivative<S: Scalar>(
     //   u5_from_u3^2 + 3*cos(theta2_from_theta1)*(u4_from_u3^2 + u5_from_u3^2)))/(13 +
     //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
     //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))
-    let r1_ = m_l_squared_by_12 * u3_of_place_8
-        * (r1__of_place_11_inv
-            * (-S::int(12) + S::int(9) * u3_of_place_7
-                + cos_theta3_from_theta1 * (u3_of_place_4 - r1__of_place_5)
-                + u3_of_place_2
-                    * (u3_of_place_4 - S::int(3) - u3_of_place_2
-                        + cos_theta3_from_theta1
-                            * (u3_of_place_2
-                                .mul_add(r1__of_place_6, u3_of_place_7_times_6) + r1__of_place_7)))
-            * (u3
-                * (S::int(3) * cos_theta3_from_theta1
-                    * (sin_theta2_from_theta1
-                        * u3_of_place_5.mul_add(r1__of_motion_8, r1__of_motion_9)
-                        + r1__of_place_2
-                            * (-r1__of_motion_10)
-                                .mul_add(cos_theta2_from_theta1, S::int(3) * r1__of_motion))
-                    + sin_theta3_from_theta1
-                        * (-u3_of_place_2)
-                            .mul_add(r1__of_motion_11, S::int(2) * r1__of_motion_12)
-                    + u3_of_place_3 * r1__of_motion_13)
-                + sin_theta3_from_theta1
-                    * r1__of_motion_14.mul_add(S::int(9), u5_from_u3_sq_times_7)
-                - u3_of_place_2
-                    * (u3_of_place_3
-                        * (-r1__of_motion_15)
-                            .mul_add(cos_theta3_from_theta1, u5_from_u3_sq)
-                        + sin_theta3_from_theta1
-                            * (u5_from_u3_sq * (S::int(5) + cos_theta3_from_theta1)
-                                + u3_of_place_2 * r1__of_motion_15 + u4_from_u3_sq_times_7))
-                + u3_of_place_3
-                    * r1__of_motion_16
-                        .mul_add(
-                            cos_theta3_from_theta1,
-                            u5_from_u3_sq + u4_from_u3_sq_times_7,
-                        )) + r1__of_motion_17);
+    let r1_ = r1__of_place
+        * (r1__of_place_7 * r1__of_motion_9)
+            .mul_add(r1__of_place_10_inv, r1__of_motion_10);
+    let m_l_squared_by_12_inv = S::int(1) / m_l_squared_by_12;
     // u5_from_u3' = r1_*(33 - 18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
@@ -971,76 +926,47 @@ pub fn derivative<S: Scalar>(
     //   cos(theta3_from_theta1)*(5*cos(theta3_from_theta1) -
     //   9*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
     //   cos(theta2_from_theta1)*cos(theta3_from_theta1)))))
-    let u5_from_u3_dot = S::ratio(1, 4) * r1_ * r1__of_place_11
-        / (m_l_squared_by_12
-            * (S::int(9)
-                + cos_theta3_from_theta1
-                    * (-S::int(9) * cos_theta2_from_theta1
-                        * cos_theta2_from_theta1
-                            .mul_add(cos_theta3_from_theta1, u3_of_place_7)
-                        + S::int(5) * cos_theta3_from_theta1)));
-    let u3_doubled = S::int(2) * u3;
-    // u4_from_u3' = (3*sin(theta2_from_theta1)*(7*u4_from_u3^2 + u5_from_u3^2*(1 -
-    //   3*cos(theta2_from_theta1)) + u3*(13*u3 + 14*u4_from_u3 + 2*u5_from_u3*(1 -
-    //   3*cos(theta2_from_theta1)))) - 3*u5_from_u3'*(4 + 3*cos(theta2_from_theta1)*(1 +
-    //   cos(theta2_from_theta1))) + cos(theta3_from_theta1)*(9*sin(theta3_from_theta1)*(u4_from_u3^2 +
-    //   u5_from_u3^2 + 2*u3*(u3 + u4_from_u3 + u5_from_u3)) - u5_from_u3'*(7 + 9*cos(theta3_from_theta1)) +
-    //   3*cos(theta2_from_theta1)*(u5_from_u3'*(2 + cos(theta3_from_theta1)) -
-    //   u5_from_u3^2*sin(theta3_from_theta1) - 2*u3*(sin(theta3_from_theta1)*(u3 + u5_from_u3 +
-    //   6*cos(theta2_from_theta1)*(u3 + u4_from_u3 + u5_from_u3)) - 3*sin(theta2_from_theta1)*(2*u3 +
-    //   2*u4_from_u3 + u5_from_u3 + 2*cos(theta3_from_theta1)*(u3 + u4_from_u3 + u5_from_u3))) +
-    //   3*sin(theta2_from_theta1)*(2*u4_from_u3^2 + u5_from_u3^2 + 2*cos(theta3_from_theta1)*(u4_from_u3^2 +
-    //   u5_from_u3^2) + 2*u5_from_u3'*sin(theta3_from_theta1)) -
-    //   3*cos(theta2_from_theta1)*(2*sin(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2) - u5_from_u3'*(1
-    //   + 2*cos(theta3_from_theta1)))) + 3*sin(theta2_from_theta1)*(7*u4_from_u3^2 + u5_from_u3^2*(6 +
-    //   cos(theta3_from_theta1)) + u3*(u3*(15 + 2*cos(theta3_from_theta1)) + 14*u4_from_u3 + 2*u5_from_u3*(6
-    //   + cos(theta3_from_theta1))) + u5_from_u3'*sin(theta3_from_theta1))) +
-    //   sin(theta3_from_theta1)*(9*u4_from_u3^2 + 7*u5_from_u3^2 + 2*u3*(9*u3 + 9*u4_from_u3 + 7*u5_from_u3)
-    //   + 9*u5_from_u3'*sin(theta2_from_theta1) +
-    //   3*cos(theta2_from_theta1)*(3*u5_from_u3'*sin(theta2_from_theta1) - 7*u4_from_u3^2 - 5*u5_from_u3^2 -
-    //   u3*(13*u3 + 14*u4_from_u3 + 10*u5_from_u3 + 6*cos(theta2_from_theta1)*(2*u3 + 2*u4_from_u3 +
-    //   u5_from_u3)) - 3*cos(theta2_from_theta1)*(2*u4_from_u3^2 +
-    //   u5_from_u3^2))))/(18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1) - 33 -
-    //   cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
+    let u5_from_u3_dot = S::ratio(1, 4) * r1_ * r1__of_place_10 * m_l_squared_by_12_inv
+        / (S::int(9)
+            + cos_theta3_from_theta1
+                * (-S::int(9) * cos_theta2_from_theta1
+                    * cos_theta2_from_theta1
+                        .mul_add(cos_theta3_from_theta1, u3_of_place_3)
+                    + S::int(5) * cos_theta3_from_theta1));
+    // u4_from_u3' = (13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1)))*(m_l_squared_by_12*(u3*(3*cos(theta3_from_theta1)*(sin(theta2_from_theta1)*(u3*(15
+    //   + 2*cos(theta3_from_theta1)) + 14*u4_from_u3 + 2*u5_from_u3*(6 + cos(theta3_from_theta1)) +
+    //   6*cos(theta2_from_theta1)*(2*u3 + 2*u4_from_u3 + u5_from_u3 + 2*cos(theta3_from_theta1)*(u3 +
+    //   u4_from_u3 + u5_from_u3))) + 2*sin(theta3_from_theta1)*(3*u3 + 3*u4_from_u3 + 3*u5_from_u3 -
+    //   cos(theta2_from_theta1)*(u3 + u5_from_u3 + 6*cos(theta2_from_theta1)*(u3 + u4_from_u3 +
+    //   u5_from_u3)))) + sin(theta3_from_theta1)*(18*u3 + 18*u4_from_u3 + 14*u5_from_u3 -
+    //   3*cos(theta2_from_theta1)*(13*u3 + 14*u4_from_u3 + 10*u5_from_u3 + 6*cos(theta2_from_theta1)*(2*u3 +
+    //   2*u4_from_u3 + u5_from_u3))) + 3*sin(theta2_from_theta1)*(13*u3 + 14*u4_from_u3 + 2*u5_from_u3*(1 -
+    //   3*cos(theta2_from_theta1)))) - 3*cos(theta2_from_theta1)*(sin(theta3_from_theta1)*(7*u4_from_u3^2 +
+    //   u5_from_u3^2*(5 + cos(theta3_from_theta1)) + 3*cos(theta2_from_theta1)*(2*u4_from_u3^2 +
+    //   u5_from_u3^2 + 2*cos(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2))) +
+    //   3*sin(theta2_from_theta1)*(u5_from_u3^2 - cos(theta3_from_theta1)*(2*u4_from_u3^2 + u5_from_u3^2 +
+    //   2*cos(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2)))) +
+    //   3*sin(theta2_from_theta1)*(7*u4_from_u3^2 + u5_from_u3^2 + cos(theta3_from_theta1)*(7*u4_from_u3^2 +
+    //   u5_from_u3^2*(6 + cos(theta3_from_theta1)))) + sin(theta3_from_theta1)*(9*u4_from_u3^2 +
+    //   7*u5_from_u3^2 + 9*cos(theta3_from_theta1)*(u4_from_u3^2 + u5_from_u3^2)))/(13 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + 2*cos(theta3_from_theta1) +
+    //   6*cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))) +
+    //   u5_from_u3'*m_l_squared_by_12*(9*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 12 +
+    //   3*cos(theta2_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 3 -
+    //   3*cos(theta2_from_theta1) + cos(theta3_from_theta1)*(2 +
+    //   6*sin(theta2_from_theta1)*sin(theta3_from_theta1) + cos(theta3_from_theta1) +
+    //   3*cos(theta2_from_theta1)*(1 + 2*cos(theta3_from_theta1)))) +
+    //   cos(theta3_from_theta1)*(3*sin(theta2_from_theta1)*sin(theta3_from_theta1) - 7 -
+    //   9*cos(theta3_from_theta1)))/(13 + 6*sin(theta2_from_theta1)*sin(theta3_from_theta1) +
+    //   2*cos(theta3_from_theta1) + 6*cos(theta2_from_theta1)*(1 +
+    //   cos(theta3_from_theta1))))/(m_l_squared_by_12*(18*sin(theta2_from_theta1)*cos(theta2_from_theta1)*sin(theta3_from_theta1)
+    //   - 33 - cos(theta3_from_theta1)*(14 + 9*cos(theta3_from_theta1) -
     //   18*cos(theta2_from_theta1)*(sin(theta2_from_theta1)*sin(theta3_from_theta1) +
-    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1)))))
-    let u4_from_u3_dot = r1__of_place_11_inv
-        * (S::int(3) * u5_from_u3_dot
-            * (S::int(4) + u3_of_place_2 * (S::int(1) + cos_theta2_from_theta1))
-            - u3_of_place_3
-                * ((-u5_from_u3_sq).mul_add(r1__of_place_9, u3 * r1__of_motion_13)
-                    + u4_from_u3_sq_times_7)
-            - cos_theta3_from_theta1
-                * (u3_of_place_3
-                    * (u3
-                        .mul_add(
-                            r1__of_motion_9,
-                            u5_from_u3_dot * sin_theta3_from_theta1,
-                        ) + r1__of_motion_16) - u5_from_u3_dot * r1__of_place_5
-                    + S::int(9) * sin_theta3_from_theta1
-                        * r1__of_motion.mul_add(u3_doubled, r1__of_motion_4)
-                    + u3_of_place_2
-                        * (u3_of_place_2
-                            * (-r1__of_place_2)
-                                .mul_add(r1__of_motion_4, u5_from_u3_dot * r1__of_place_6)
-                            - u5_from_u3_sq * sin_theta3_from_theta1
-                            + u5_from_u3_dot * r1__of_place_7
-                            + u3_of_place_3
-                                * u5_from_u3_dot.mul_add(r1__of_place_2, r1__of_motion_15)
-                            + u3_doubled
-                                * (-r1__of_motion_10)
-                                    .mul_add(
-                                        sin_theta3_from_theta1,
-                                        u3_of_place_3 * r1__of_motion_8,
-                                    )))
-            - sin_theta3_from_theta1
-                * (u4_from_u3_sq_times_9 + S::int(9) * u5_from_u3_dot * sin_theta2_from_theta1
-                    + u5_from_u3_sq_times_7
-                    + u3_of_place_2
-                        * (u5_from_u3_dot * u3_of_place_3 - S::int(5) * u5_from_u3_sq
-                            - u3_of_place_2 * u4_from_u3_sq.mul_add(S::int(2), u5_from_u3_sq)
-                            - u3 * r1__of_motion_11 - u4_from_u3_sq_times_7)
-                    + r1__of_motion_12 * u3_doubled));
+    //   cos(theta2_from_theta1)*(1 + cos(theta3_from_theta1))))))
+    let u4_from_u3_dot = -u3_of_place_6 * r1__of_place * r1__of_place_10_inv * m_l_squared_by_12_inv
+        * u5_from_u3_dot.mul_add(r1__of_place_7, r1__of_motion_9);
     // Values.
     // theta2_from_theta1' = u4_from_u3
     let theta2_from_theta1_dot_value = u4_from_u3;
