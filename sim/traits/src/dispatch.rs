@@ -21,9 +21,9 @@ pub(crate) enum Level {
     Avx512,
 }
 
-/// Runs `work`, compiled for the vector instructions whose registers hold `N` lanes, if this
-/// processor has them. If not, `work` runs with the instructions of the rest of the program. Eight
-/// lanes in registers for four are slower than four lanes, and take compilers three times as long.
+/// Runs `work`, compiled for the widest vector instructions of this processor that `N` lanes fill. If
+/// the processor has none of them, `work` runs with the instructions of the rest of the program. Eight
+/// lanes in registers for four cost about as much a state as four lanes.
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[inline(always)]
 #[allow(unsafe_code, reason = "the calls are safe where the instructions exist, which the level says")]
@@ -36,8 +36,8 @@ pub(crate) fn run<const N: usize, R>(work: impl FnOnce() -> R) -> R {
         // SAFETY: `level` has found the features of `avx512`.
         Level::Avx512 if N > 4 => unsafe { avx512(work) },
         // SAFETY: `level` has found the features of `avx2`; they are among those of `avx512`.
-        Level::Avx2 | Level::Avx512 if N <= 4 => unsafe { avx2(work) },
-        _ => work(),
+        Level::Avx2 | Level::Avx512 => unsafe { avx2(work) },
+        Level::Baseline => work(),
     }
 }
 
