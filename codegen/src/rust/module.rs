@@ -39,14 +39,20 @@ impl ModuleEquations {
     fn compiled_system_expression(&self) -> TokenStream {
         let (module, unit) = (format_ident!("{}", module_name(&self.name)), format_ident!("{}", type_name(&self.name)));
         let (name, system) = (&self.name, quote!(code::#module::#unit));
-        let series = self.series.then(|| quote!(.with_series(&Derivative(#system))));
         let lanes = match self.solved {
             None => quote!(None),
-            Some(operations) if operations <= MOST_IN_EIGHT => quote!(Some(InLanes::of(&Derivative(#system)) #series)),
-            Some(_) => quote!(Some(InLanes::of_four(&Derivative(#system)) #series)),
+            Some(operations) => lanes_expression(&system, &quote!(of), operations, self.series),
         };
         quote!(CompiledSystem { name: #name, double: &#system, extended: &#system, lanes: #lanes })
     }
+}
+
+/// Returns the Rust expression of the equations `system` in SIMD lanes. Code of up to [`MOST_IN_EIGHT`] operations is
+/// wrapped by the function `short` of `InLanes`, longer code in four lanes.
+pub fn lanes_expression(system: &TokenStream, short: &TokenStream, operations: usize, series: bool) -> TokenStream {
+    let series = series.then(|| quote!(.with_series(&Derivative(#system))));
+    let wrapped = if operations <= MOST_IN_EIGHT { short.clone() } else { quote!(of_four) };
+    quote!(Some(InLanes::#wrapped(&Derivative(#system)) #series))
 }
 
 /// Data on a model's Rust module, for its header and its constant `MODEL`.

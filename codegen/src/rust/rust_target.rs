@@ -26,7 +26,7 @@ const MOST_CONVOLUTIONS: usize = 200;
 const MOST_CONVOLUTIONS_IN_LANES: usize = 4;
 
 /// True if Taylor recurrences with this number of convolutions are short enough for SIMD lanes.
-fn has_short_series(convolutions: usize, equations: &Equations) -> bool {
+pub(super) fn has_short_series(convolutions: usize, equations: &Equations) -> bool {
     convolutions <= MOST_CONVOLUTIONS_IN_LANES * (equations.coordinates.len() + equations.variables.len())
 }
 

@@ -1,14 +1,15 @@
 //! Rust files for the reduced equations of one scene: a file of equations for people, and a file of code.
 
 use super::jacobian_product::{JACOBIAN_PRODUCT, Rates, jacobian_product};
-use super::module::{rust_code_module_declaration, rust_parameter_struct};
+use super::module::{lanes_expression, rust_code_module_declaration, rust_parameter_struct};
 use super::names::{LANGUAGE, is_name, parameter_field_names};
 use super::rust_function::{Parameters, function, function_at_points, function_documentation};
+use super::rust_target::has_short_series;
 use super::rust_text::{escape_doc_comment, format, reexport, rust_file_header, rust_name_array};
 use super::system_methods::{self, SystemMethods};
 use super::taylor::{self, TaylorText};
 use crate::optional_functions::Extras;
-use crate::plan::{Jacobian, SceneEquations, ScenePlan, Taylor, module_name};
+use crate::plan::{Jacobian, SceneEquations, ScenePlan, Taylor, TaylorPlan, module_name};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
 use tripos_derive::mechanics::Unsolved;
@@ -146,7 +147,17 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &SceneHeaderData<'_>, k
     let functions = plan.equations.iter().chain(&plan.machine).map(|planned| write(planned, &own));
     let product = lacks_jacobian(plan);
     let differentiated = product.then(|| jacobian_product(&reduction.derivation.equations, Rates::Together));
-    let at_points = reduction.slope.as_ref().map(|_| quote!(AtPoints, Derivative,));
+    let at_points = reduction.slope.as_ref().map(|_| quote!(AtPoints,));
+    let has_series =
+        |taylor: &TaylorPlan<'_>| has_short_series(taylor.list.convolutions(), &reduction.derivation.equations);
+    let operations =
+        plan.machine.iter().find(|planned| planned.name == "derivative").map(|planned| planned.cost.operations);
+    let lanes = lanes_expression(
+        &quote!(Reduced),
+        &quote!(of_rates),
+        operations.unwrap_or(usize::MAX),
+        plan.taylor.as_ref().is_some_and(has_series),
+    );
     let (dual, by_columns) = (product.then(|| quote!(Dual,)), product.then(|| quote!(, by_columns)));
     let mut parts =
         vec![SystemMethods::Outputs(reduction.outputs.len()), SystemMethods::Eliminated { product, together: true }];
@@ -165,7 +176,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &SceneHeaderData<'_>, k
         &rust_file_header(rust_scene_header_line(reduction, named), named.origin, &[]),
         quote! {
             #series
-            use tripos_traits::{#at_points CompiledScene, CompiledSystem, #dual Lengths, Scalar, System #by_columns};
+            use tripos_traits::{#at_points CompiledScene, CompiledSystem, Derivative, #dual InLanes, Lengths, Scalar, System #by_columns};
 
             #structure
 
@@ -184,7 +195,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &SceneHeaderData<'_>, k
             pub const SCENE: CompiledScene = CompiledScene {
                 name: #name,
                 key: #key,
-                system: CompiledSystem { name: "reduced", double: &Reduced, extended: &Reduced, lanes: None },
+                system: CompiledSystem { name: "reduced", double: &Reduced, extended: &Reduced, lanes: #lanes },
             };
         },
     )

@@ -3,7 +3,8 @@
 //! Generated from `models/cart_pendulum_3/scenes/fall.toml`. Do not edit; run `tripos regenerate`.
 
 use tripos_traits::{
-    CompiledScene, CompiledSystem, Dual, Lengths, Scalar, System, by_columns,
+    CompiledScene, CompiledSystem, Derivative, Dual, InLanes, Lengths, Scalar, System,
+    by_columns,
 };
 
 /// The parameters, in the order of the model file.
@@ -744,6 +745,6 @@ pub const SCENE: CompiledScene = CompiledScene {
         name: "reduced",
         double: &Reduced,
         extended: &Reduced,
-        lanes: None,
+        lanes: Some(InLanes::of_rates(&Derivative(Reduced))),
     },
 };

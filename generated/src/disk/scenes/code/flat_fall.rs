@@ -4,7 +4,7 @@
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{
-    AtPoints, Derivative, CompiledScene, CompiledSystem, Lengths, Scalar, System,
+    AtPoints, CompiledScene, CompiledSystem, Derivative, InLanes, Lengths, Scalar, System,
 };
 
 /// The parameters, in the order of the model file.
@@ -996,6 +996,8 @@ pub const SCENE: CompiledScene = CompiledScene {
         name: "reduced",
         double: &Reduced,
         extended: &Reduced,
-        lanes: None,
+        lanes: Some(
+            InLanes::of_rates(&Derivative(Reduced)).with_series(&Derivative(Reduced)),
+        ),
     },
 };

@@ -3,8 +3,8 @@
 //! Generated from `models/euler_top/scenes/cusps.toml`. Do not edit; run `tripos regenerate`.
 
 use tripos_traits::{
-    AtPoints, Derivative, CompiledScene, CompiledSystem, Dual, Lengths, Scalar, System,
-    by_columns,
+    AtPoints, CompiledScene, CompiledSystem, Derivative, Dual, InLanes, Lengths, Scalar,
+    System, by_columns,
 };
 
 /// The parameters, in the order of the model file.
@@ -564,6 +564,6 @@ pub const SCENE: CompiledScene = CompiledScene {
         name: "reduced",
         double: &Reduced,
         extended: &Reduced,
-        lanes: None,
+        lanes: Some(InLanes::of_rates(&Derivative(Reduced))),
     },
 };

@@ -3,7 +3,8 @@
 //! Generated from `models/floating_chain/scenes/folding.toml`. Do not edit; run `tripos regenerate`.
 
 use tripos_traits::{
-    CompiledScene, CompiledSystem, Dual, Lengths, Scalar, System, by_columns,
+    CompiledScene, CompiledSystem, Derivative, Dual, InLanes, Lengths, Scalar, System,
+    by_columns,
 };
 
 /// The parameters, in the order of the model file.
@@ -1401,6 +1402,6 @@ pub const SCENE: CompiledScene = CompiledScene {
         name: "reduced",
         double: &Reduced,
         extended: &Reduced,
-        lanes: None,
+        lanes: Some(InLanes::of_rates(&Derivative(Reduced))),
     },
 };

@@ -3,8 +3,8 @@
 //! Generated from `models/gimbals/scenes/nutation.toml`. Do not edit; run `tripos regenerate`.
 
 use tripos_traits::{
-    AtPoints, Derivative, CompiledScene, CompiledSystem, Dual, Lengths, Scalar, System,
-    by_columns,
+    AtPoints, CompiledScene, CompiledSystem, Derivative, Dual, InLanes, Lengths, Scalar,
+    System, by_columns,
 };
 
 /// The parameters, in the order of the model file.
@@ -664,6 +664,6 @@ pub const SCENE: CompiledScene = CompiledScene {
         name: "reduced",
         double: &Reduced,
         extended: &Reduced,
-        lanes: None,
+        lanes: Some(InLanes::of_rates(&Derivative(Reduced))),
     },
 };

@@ -4,8 +4,8 @@
 
 use tripos_traits::series::{Factors, SLACK, padded, pair_sums, rows};
 use tripos_traits::{
-    AtPoints, Derivative, CompiledScene, CompiledSystem, Dual, Lengths, Scalar, System,
-    by_columns,
+    AtPoints, CompiledScene, CompiledSystem, Derivative, Dual, InLanes, Lengths, Scalar,
+    System, by_columns,
 };
 
 /// The parameters, in the order of the model file.
@@ -496,6 +496,8 @@ pub const SCENE: CompiledScene = CompiledScene {
         name: "reduced",
         double: &Reduced,
         extended: &Reduced,
-        lanes: None,
+        lanes: Some(
+            InLanes::of_rates(&Derivative(Reduced)).with_series(&Derivative(Reduced)),
+        ),
     },
 };
