@@ -413,7 +413,7 @@ pub enum Command {
     ///
     /// Examples: the disk from 1000 leans; the second of 100 parts of a grid of 500 000 runs over gravity and lean:
     ///
-    ///   tripos sweep models/disk/scenes/report-10s.toml --over q2=0.01:1.5:1000 --out leans.csv
+    ///   tripos sweep models/disk/scenes/lean.toml --over q2=0.01:1.5:1000 --out leans.csv
     ///
     ///   tripos sweep models/disk/scenes/report-10s.toml --over g=1.62:9.81:500 --over 'q2=1*deg:80*deg:1000' \
     ///       --shard 2/100 --out part-002.csv

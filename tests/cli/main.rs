@@ -56,6 +56,7 @@ mod steady;
 mod support;
 mod sweep;
 mod sweep_lanes;
+mod sweep_reduced;
 mod sweep_resume;
 #[path = "../support/sympy.rs"]
 mod sympy;

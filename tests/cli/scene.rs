@@ -297,6 +297,14 @@ fn a_default_run_goes_over_to_whole_equations_where_its_frame_has_a_pole() {
         notes.contains("the full equations are integrated, by Kane's method, since the scene's own stop at t = 0.21"),
         "{notes}"
     );
+    // So does a sweep, point by point.
+    let table = folder.path().join("table.csv");
+    let over = ["--over", "s=-0.3453298788214384,-0.3", "--out", table.to_str().unwrap()];
+    let (status, ..) = answer(&[&["sweep", path], &over[..], &fine].concat());
+    let table = std::fs::read_to_string(table).unwrap();
+    let row: Vec<&str> = table.lines().nth(1).unwrap().split(',').collect();
+    assert_eq!((status, row[3]), (0, "end"), "{table}");
+    assert!((row[4].parse::<f64>().unwrap() - energy(&kane)).abs() < 1e-8, "{table}");
     let (status, ..) = answer(&[&["simulate", path, "--by", "reduced"], &fine[..]].concat());
     assert_ne!(status, 0, "who asks for the scene's reduced equations gets them alone");
 }

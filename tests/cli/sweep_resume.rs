@@ -140,7 +140,7 @@ fn another_sweep_does_not_go_on_with_it() {
         "method: `dop853 with rtol 1e-12, atol 1e-12` then, `dop853 with rtol 1e-9",
     );
     refused(&[&grid[..], &["--method", "ode45"]].concat(), "then, `ode45 with ");
-    refused(&[&grid[..], &["--by", "lagrange"]].concat(), "equations: `kane` then, `lagrange` now");
+    refused(&[&grid[..], &["--by", "lagrange"]].concat(), "equations: `reduced` then, `lagrange` now");
     refused(&[&grid[..], &["--until", "400"]].concat(), "span: `0 s to 500 s` then, `0 s to 400 s` now");
     refused(&[&grid[..], &["--shard", "1/2"]].concat(), "part of the points: `1/1` then, `1/2` now");
     refused(&[&grid[..], &["--digits"]].concat(), "column of digits: `no` then, `yes` now");

@@ -264,8 +264,8 @@ pub struct Set {
 #[derive(clap::Args)]
 pub struct RunOptions {
     /// kane, lagrange, newton-euler, or printed:ID for a system of the publication beside the model. If not given,
-    /// `simulate` and `plot` take the scene's reduced equations where these are a gain (`tripos scene`), `view` and
-    /// `sweep` the first formulation that the model supports
+    /// `simulate`, `plot` and `sweep` take the scene's reduced equations where these are a gain (`tripos scene`), and
+    /// `view` the first formulation that the model supports
     #[arg(long)]
     pub by: Option<String>,
     /// The method of integration: rk4, ode45, dopri5, dop853, gauss6, radau5 or taylor; or quadrature, for a scene's

@@ -14,7 +14,6 @@ use serde_json::json;
 use std::num::NonZero;
 use std::ops::Range;
 use std::time::{Duration, Instant};
-use tripos::equations_name::find_equations_or_first;
 use tripos::studies::sweep::{Shard, Sweep, SweepRow, work_in_order};
 use tripos::{Error, integration_method_words};
 use tripos_codegen::draft_file::ExistingFilePolicy;
@@ -39,8 +38,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let threads = thread_count(request.threads)?;
     let how_else = request.how.overrides()?;
     how_else.apply_to_scene(&mut scene)?;
-    let by = find_equations_or_first(&model, how_else.by.as_ref())?;
-    let mut sweep = Sweep::new(&model, &scene, &grid, &by, &how_else)?;
+    let mut sweep = Sweep::new(&model, &scene, &grid, &how_else)?;
     sweep.tells_digits = request.digits;
     for warning in &sweep.warnings {
         warn(warning);
@@ -62,10 +60,11 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
     if request.json {
         let summary = json!({
             "model": short_name(&model),
-            "formulation": by.name(),
+            "formulation": sweep.by.name(),
             "method": scene.integration.method.name(),
             "solve": sweep.solve.name(),
             "compiled": sweep.code.is_compiled(),
+            "notes": sweep.note.iter().collect::<Vec<_>>(),
             "over": grid.names(),
             "points": grid.count(),
             "shard": { "part": shard.part, "of": shard.of, "first": points.start, "rows": count, "kept": kept_rows },
@@ -80,11 +79,14 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
         print_to_stderr(&format!(
             "{}, {}, {} code, accelerations {}, {}",
             model.title,
-            by.title(),
+            sweep.by.title(),
             sweep.code.name(),
             sweep.solve.name(),
             integration_method_words(&scene)
         ));
+        if let Some(note) = &sweep.note {
+            print_to_stderr(&format!("note: {note}"));
+        }
         print_to_stderr(&format!(
             "{}\n{}{}",
             sweep_extent_words(shard, &points, kept_rows, &grid, &SweepTime { threads, seconds }),

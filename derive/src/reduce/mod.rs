@@ -21,6 +21,7 @@ pub use basis::prose::{Piece, Prose};
 pub use basis::reduction_basis::ReductionBasis;
 pub use result::reduction::{MovingFrame, Omission, ReducedOutput, ReducedQuantity, Reduction};
 pub use result::reduction_proof::{Reconstruction, ReductionProof};
+pub use result::surface_choice::SurfaceChoice;
 pub use slices::potential_difference::PotentialDifference;
 
 use crate::mechanics::{DeriveError, check_inertia_at};
@@ -179,11 +180,9 @@ impl ReductionBasis {
         // The equations are rewritten in the distance from the singular surface of this choice,
         // unless they are in a moving frame.
         let mut trial = self.clone();
-        let place = if self.frame.is_some() { None } else { Some(()) };
-        let place = place
-            .and_then(|()| trial.equations_on_momentum_level(momenta, None))
-            .and_then(|level| trial.find_singular_surface(&level, &wanted, scene));
-        let (surface, wanted) = match place {
+        let level = if self.frame.is_some() { None } else { trial.equations_on_momentum_level(momenta, None) };
+        let place = level.map(|level| trial.choose_singular_surface(&level, &wanted, scene)).unwrap_or_default();
+        let (surface, wanted) = match place.chosen {
             Some(place) => {
                 let (surface, wanted) = self.write_in_distance_from_surface(place, &wanted);
                 (Some(surface), wanted)
@@ -193,7 +192,8 @@ impl ReductionBasis {
         let level =
             self.equations_on_momentum_level(momenta, surface.as_ref()).ok_or("that the momenta determine speeds")?;
         let flow = Slice::new(&mut self, &level, &wanted).ok_or("that the accelerations are determined")?;
-        result::pack_reduction::pack_reduction(self, whole, &level, flow, scene)
+        let reduction = result::pack_reduction::pack_reduction(self, whole, &level, flow, scene)?;
+        Ok(Reduction { surface: place, ..reduction })
     }
 }
 

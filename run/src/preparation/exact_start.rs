@@ -7,7 +7,7 @@ use crate::code::compile_tape;
 use crate::error::Error;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::value::tape::Numeric;
+use tripos_derive::algebra::value::tape::{Numeric, Tape};
 use tripos_derive::scene::{EnclosedStart, ExactStart, InitialMotion};
 use tripos_traits::{Ball, DoubleDouble};
 
@@ -40,31 +40,38 @@ impl<'a> From<&'a EnclosedStart> for StartNumbers<'a, Ball> {
 /// [`Error::Request`] if the definition of a speed contains a symbol that has no value at the
 /// start.
 pub fn exact_start_speeds<S: Numeric>(model: &Model, exact: StartNumbers<'_, S>) -> Result<Vec<S>, Error> {
-    match exact.motion {
-        InitialMotion::Speeds(u) => Ok(u.clone()),
-        InitialMotion::Rates(rates) => {
-            let inputs = [model.p(), model.q(), model.q_dot()].concat();
-            let definitions: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
-            let tape = compile_tape(&model.arena, &inputs, &definitions, "a generalized speed")?.to();
-            Ok(tape.evaluate(&[exact.parameters, exact.q, rates].concat()))
-        }
-    }
+    Ok(StartSpeeds::new(model, exact.motion)?.evaluate(exact))
 }
 
-/// Returns the symbols that have a value at the start of a scene, and their values, in the same order. The symbols are
-/// the parameters, coordinates and generalized speeds. The rates q̇ follow if the scene file states rates.
-///
-/// # Errors
-/// `Error::Request` if the definition of a speed contains a symbol that has no value at the start.
-pub fn symbols_known_at_start<S: Numeric>(
-    model: &Model,
-    exact: StartNumbers<'_, S>,
-) -> Result<(Vec<Expr>, Vec<S>), Error> {
-    let mut symbols = [model.p(), model.q(), model.u()].concat();
-    let mut values = [exact.parameters, exact.q, &exact_start_speeds(model, exact)?].concat();
-    if let InitialMotion::Rates(rates) = exact.motion {
-        symbols.extend(model.q_dot());
-        values.extend(rates);
+/// Compiled functions that compute the generalized speeds at the start of scenes of a model.
+pub struct StartSpeeds<S> {
+    /// Program that computes the speeds from the parameters, q and q̇. `None` if the scenes state the speeds.
+    definitions: Option<Tape<S>>,
+}
+
+impl<S: Numeric> StartSpeeds<S> {
+    /// Compiles the functions for scenes that state the same kind of motion as `motion`: speeds or rates.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the definition of a speed contains a symbol that has no value at the
+    /// start.
+    pub fn new(model: &Model, motion: &InitialMotion<S>) -> Result<Self, Error> {
+        let definitions = match motion {
+            InitialMotion::Speeds(_) => None,
+            InitialMotion::Rates(_) => {
+                let inputs = [model.p(), model.q(), model.q_dot()].concat();
+                let definitions: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
+                Some(compile_tape(&model.arena, &inputs, &definitions, "a generalized speed")?.to())
+            }
+        };
+        Ok(Self { definitions })
     }
-    Ok((symbols, values))
+
+    /// Computes the generalized speeds at a start, in the order of the model.
+    pub fn evaluate(&self, exact: StartNumbers<'_, S>) -> Vec<S> {
+        match (exact.motion, &self.definitions) {
+            (InitialMotion::Rates(rates), Some(tape)) => tape.evaluate(&[exact.parameters, exact.q, rates].concat()),
+            (InitialMotion::Speeds(values) | InitialMotion::Rates(values), _) => values.clone(),
+        }
+    }
 }

@@ -8,4 +8,5 @@ pub(super) mod moving_frame_start;
 pub(super) mod near_divisors;
 pub(super) mod problem;
 pub(super) mod reduced_equations;
+pub(super) mod reduced_start;
 pub mod speed_changes;

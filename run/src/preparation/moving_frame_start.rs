@@ -40,41 +40,9 @@ const DETOURS: [f64; 5] = [0.0, 0.7, -1.1, 1.9, -2.3];
 /// value.
 const NOTHING: f64 = 1e-9;
 
-/// Moves a start (q, u) of the whole model along the symmetries of a moving frame until the frame's
-/// pins are zero. Pins are the functions of the state that the frame makes zero. `symbols` are the
-/// parameters, coordinates and speeds. Returns the moved start in the order of `start`.
-///
-/// # Errors
-/// [`Error::Stopped`] if no motion along the symmetries makes the pins zero; [`Error::Request`] if
-/// the frame contains a symbol without a value.
-pub fn move_start_to_section(
-    arena: &Arena,
-    frame: &MovingFrame,
-    symbols: &[Expr],
-    parameters: &[DoubleDouble],
-    start: &[DoubleDouble],
-) -> Result<Vec<DoubleDouble>, Error> {
-    let what = "a moving frame";
-    let of_pins = frame.pins.iter().chain(frame.slopes.iter().flatten()).copied().collect::<Vec<_>>();
-    let turning = MovingFrameMotion {
-        parameters,
-        fields: compile_tape(arena, symbols, &frame.fields.concat(), what)?.to(),
-        pins: compile_tape(arena, symbols, &of_pins, what)?.to(),
-        count: frame.pins.len(),
-    };
-    DETOURS.iter().find_map(|detour| turning.newton_to_section(start, *detour)).ok_or_else(|| {
-        Error::Stopped(format!(
-            "no symmetry moves the start to a place where {} zero",
-            if frame.pins.len() == 1 { "the state of the frame is" } else { "the states of the frame are" }
-        ))
-    })
-}
-
-/// Symmetries and pins of a moving frame as tapes of 32 digits, with the values of the parameters. The
-/// pins are the functions of the state that the frame makes zero.
-struct MovingFrameMotion<'a> {
-    /// Values of the model's parameters, to 32 digits.
-    parameters: &'a [DoubleDouble],
+/// Symmetries and pins of a moving frame, compiled to tapes of 32 digits. The pins are the functions of the state that
+/// the frame makes zero.
+pub struct SectionMotion {
     /// Directions of the symmetries, one block for each symmetry. A block has a component for each
     /// coordinate and each speed.
     fields: Tape<DoubleDouble>,
@@ -85,17 +53,61 @@ struct MovingFrameMotion<'a> {
     count: usize,
 }
 
+impl SectionMotion {
+    /// Compiles the symmetries and pins of a moving frame. `symbols` are the parameters, coordinates and speeds of the
+    /// whole model.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the frame contains another symbol.
+    pub fn new(arena: &Arena, frame: &MovingFrame, symbols: &[Expr]) -> Result<Self, Error> {
+        let what = "a moving frame";
+        let of_pins = frame.pins.iter().chain(frame.slopes.iter().flatten()).copied().collect::<Vec<_>>();
+        Ok(Self {
+            fields: compile_tape(arena, symbols, &frame.fields.concat(), what)?.to(),
+            pins: compile_tape(arena, symbols, &of_pins, what)?.to(),
+            count: frame.pins.len(),
+        })
+    }
+
+    /// Moves a start (q, u) of the whole model along the symmetries of the moving frame until the frame's
+    /// pins are zero. Returns the moved start in the order of `start`.
+    ///
+    /// # Errors
+    /// [`Error::Stopped`] if no motion along the symmetries makes the pins zero.
+    pub fn move_to_section(
+        &self,
+        parameters: &[DoubleDouble],
+        start: &[DoubleDouble],
+    ) -> Result<Vec<DoubleDouble>, Error> {
+        let turning = MovingFrameMotion { parameters, tapes: self };
+        DETOURS.iter().find_map(|detour| turning.newton_to_section(start, *detour)).ok_or_else(|| {
+            Error::Stopped(format!(
+                "no symmetry moves the start to a place where {} zero",
+                if self.count == 1 { "the state of the frame is" } else { "the states of the frame are" }
+            ))
+        })
+    }
+}
+
+/// Symmetries and pins of a moving frame with the values of the parameters.
+struct MovingFrameMotion<'a> {
+    /// Values of the model's parameters, to 32 digits.
+    parameters: &'a [DoubleDouble],
+    /// Compiled symmetries and pins.
+    tapes: &'a SectionMotion,
+}
+
 impl MovingFrameMotion<'_> {
     /// Solves for a state at which all pins are zero, by Newton's method. The start is first moved by
     /// about `detour` along each symmetry. `None` if the slopes of the pins are singular or the method
     /// does not converge.
     fn newton_to_section(&self, start: &[DoubleDouble], detour: f64) -> Option<Vec<DoubleDouble>> {
-        let count = self.count;
+        let count = self.tapes.count;
         let detours: Vec<f64> = (0..count).map(|at| detour / (1.0 + 0.3 * at as f64)).collect();
         let mut x =
             if detour == 0.0 { start.to_vec() } else { self.moved_along_symmetries(start, &detours, HALVINGS)? };
         for _ in 0..STEPS {
-            let values = self.pins.evaluate(&[self.parameters, &x].concat());
+            let values = self.tapes.pins.evaluate(&[self.parameters, &x].concat());
             let (pins, slopes) = values.split_at(count);
             let size = x.iter().map(|x| x.hi().abs()).fold(1.0, f64::max);
             if pins.iter().all(|pin| pin.hi().abs() <= PINNED * size) {
@@ -183,7 +195,7 @@ impl MovingFrameMotion<'_> {
     /// Rate of the state `x` if it moves along all symmetries at once: Σ farᵢ ζᵢ(x), where ζᵢ is the
     /// direction of symmetry i.
     fn symmetry_rate(&self, x: &[DoubleDouble], far: &[f64]) -> Vec<DoubleDouble> {
-        let values = self.fields.evaluate(&[self.parameters, x].concat());
+        let values = self.tapes.fields.evaluate(&[self.parameters, x].concat());
         let mut rate = vec![DoubleDouble::from(0.0); x.len()];
         for (field, far) in values.chunks(x.len()).zip(far) {
             for (rate, along) in rate.iter_mut().zip(field) {

@@ -436,6 +436,16 @@ impl<'a> Problem<'a> {
         run.map_err(|error| refused_scene_error(self.scene, &error))
     }
 
+    /// True if the equations allow the scene's integrator for some motions: quadrature needs one degree of freedom with
+    /// a potential, and projection needs an energy.
+    #[must_use]
+    pub fn allows_integrator(&self) -> bool {
+        let (how, system) = (&self.scene.integration, self.system());
+        let allows_quadrature = system.lengths().variables == 1 && system.has_potential_slope();
+        let is_quadrature_allowed = how.method != Integrator::Quadrature || allows_quadrature;
+        is_quadrature_allowed && (how.project.is_none() || system.has_energy_gradient())
+    }
+
     /// Advice for equations that do not allow quadrature: names the condition that they do not meet.
     fn quadrature_advice(&self) -> &'static str {
         let system = self.system();

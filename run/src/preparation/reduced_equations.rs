@@ -1,24 +1,24 @@
 //! Reduced equations of a scene, ready to run: the smallest system that gives all outputs of the
 //! scene.
 
-use super::exact_start::{StartNumbers, symbols_known_at_start};
-use super::moving_frame_start::move_start_to_section;
-use crate::code::{Code, CodePreparation, compile_tape, compiled_scene_code, interpreted_scene_code};
+use super::reduced_start::ReducedStart;
+use crate::code::{Code, CodePreparation, compiled_scene_code, interpreted_scene_code};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
+use std::sync::Arc;
 use tripos_codegen::plan::{Costs, scene_costs};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::value::tape::Numeric;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::reduce::{ReducedQuantity, Reduction, ReductionBasis};
-use tripos_derive::scene::{EnclosedStart, ExactStart, InitialMotion, Scene, SceneEvent};
-use tripos_traits::{AbsoluteTolerance, Ball, DoubleDouble};
+use tripos_derive::scene::{ExactStart, InitialMotion, Scene, SceneEvent};
+use tripos_traits::{AbsoluteTolerance, DoubleDouble};
 
 /// Reduced equations of motion of a scene, with the scene in the variables of these equations.
 pub struct ReducedScene {
-    /// Derived equations of the reduced system, with their proof.
-    pub reduction: Reduction,
+    /// Derived equations of the reduced system, with their proof. Scenes that differ only in their numbers may share
+    /// them.
+    pub reduction: Arc<Reduction>,
     /// Scene in the variables of the reduced model. The constant momenta are among its parameters.
     pub scene: Scene,
     /// Origin of the equations, always [`EquationsOrigin::Reduced`].
@@ -72,15 +72,25 @@ impl ReducedScene {
     /// # Errors
     /// [`Error::Request`] if a variable depends on a symbol that has no value at the start;
     /// [`Error::Stopped`] if the start cannot be moved to the section of the moving frame.
-    pub fn from_reduction(reduction: Reduction, model: &Model, scene: &Scene) -> Result<Self, Error> {
-        let [parameters, q, v] = reduced_start(&reduction, model, &scene.exact)?;
+    pub fn from_reduction(reduction: impl Into<Arc<Reduction>>, model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let reduction = reduction.into();
+        let start = ReducedStart::new(&reduction, model, &scene.exact)?;
+        Self::from_start(reduction, &start, model, scene)
+    }
+
+    /// Makes the reduced equations of a scene from a shared reduction and its compiled start. The scenes may differ
+    /// only in their numbers.
+    ///
+    /// # Errors
+    /// [`Error::Stopped`] if the start cannot be moved to the section of the moving frame.
+    pub(crate) fn from_start(
+        reduction: Arc<Reduction>,
+        start: &ReducedStart,
+        model: &Model,
+        scene: &Scene,
+    ) -> Result<Self, Error> {
+        let [parameters, q, v] = start.evaluate(&scene.exact)?;
         let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<_>>();
-        let mut integration = scene.integration.clone();
-        integration.distance = None;
-        if let AbsoluteTolerance::Each(each) = &integration.atol {
-            integration.atol = AbsoluteTolerance::Each(reduced_tolerances(&reduction, model, each));
-        }
-        let events = scene.events.iter().zip(&reduction.events);
         let own = Scene {
             parameters: doubles(&parameters),
             q: doubles(&q),
@@ -91,10 +101,7 @@ impl ReducedScene {
                 q,
                 motion: InitialMotion::Speeds(v),
             },
-            integration,
-            ladder: None,
-            events: events.map(|(event, function)| SceneEvent { function: *function, ..event.clone() }).collect(),
-            ..scene.clone()
+            ..scene_with_reduced_events(&reduction, model, scene)
         };
         Ok(Self { reduction, scene: own, by: EquationsOrigin::Reduced })
     }
@@ -105,10 +112,7 @@ impl ReducedScene {
     /// # Errors
     /// [`Error`] if the equations cannot be compiled to tapes.
     pub fn code(&self, mechanism: &Mechanism) -> Result<Code, Error> {
-        match compiled_scene_code(mechanism, &self.reduction, CodePreparation::preparation_for_runs(&self.scene)) {
-            Some(code) => Ok(code),
-            None => interpreted_scene_code(&self.reduction),
-        }
+        reduced_code(&self.reduction, mechanism, &self.scene)
     }
 
     /// Returns the reason why the reduced equations are no gain over the full equations; `None` if they
@@ -140,59 +144,29 @@ impl ReducedScene {
     }
 }
 
-/// Computes the parameters, coordinates and motion variables of a reduced system at the start of a
-/// scene, to 32 digits. `exact` is the start of the scene in the variables of the whole model.
+/// Makes the reduced equations of a scene ready to run: compiled if the program contains code that was generated from
+/// the same reduction, otherwise interpreted.
 ///
 /// # Errors
-/// `Error::Request` if a symbol has no value at the start. `Error::Stopped` if the start cannot be
-/// moved to the section of the moving frame.
-fn reduced_start(reduction: &Reduction, model: &Model, exact: &ExactStart) -> Result<[Vec<DoubleDouble>; 3], Error> {
-    let (mut symbols, mut values) = symbols_known_at_start(model, StartNumbers::from(exact))?;
-    if let Some(frame) = &reduction.frame {
-        let count = model.parameters.len() + model.coordinates.len() + model.speeds.len();
-        // Rates in the scene file belong to the start before it is moved along symmetries. The generalized
-        // speeds contain the same information, so the rates are dropped.
-        symbols.truncate(count);
-        values.truncate(count);
-        let states = values.split_off(model.parameters.len());
-        let turned = move_start_to_section(reduction.arena(), frame, &symbols, &values, &states)?;
-        values.extend(turned);
+/// `Error` if the equations cannot be compiled to tapes.
+pub(crate) fn reduced_code(reduction: &Reduction, mechanism: &Mechanism, scene: &Scene) -> Result<Code, Error> {
+    match compiled_scene_code(mechanism, reduction, CodePreparation::preparation_for_runs(scene)) {
+        Some(code) => Ok(code),
+        None => interpreted_scene_code(reduction),
     }
-    variables_at_start(reduction, &symbols, &values)
 }
 
-/// Computes the parameters, coordinates and motion variables of a reduced system without a moving frame at the start
-/// of a scene, in balls that contain them.
-///
-/// # Errors
-/// `Error::Request` if a symbol has no value at the start.
-pub fn enclosed_reduced_start(
-    reduction: &Reduction,
-    model: &Model,
-    start: &EnclosedStart,
-) -> Result<[Vec<Ball>; 3], Error> {
-    let (symbols, values) = symbols_known_at_start(model, StartNumbers::from(start))?;
-    variables_at_start(reduction, &symbols, &values)
-}
-
-/// Computes the parameters, coordinates and motion variables of a reduced system from the values of symbols at the
-/// start of a scene.
-///
-/// # Errors
-/// `Error::Request` if another symbol occurs.
-fn variables_at_start<S: Numeric>(reduction: &Reduction, symbols: &[Expr], values: &[S]) -> Result<[Vec<S>; 3], Error> {
-    let free = reduction.model.parameters.len() - reduction.constants.len();
-    let equations = &reduction.derivation.equations;
-    let variables = || reduction.states.iter().chain(&reduction.quadratures);
-    let of_start = |symbol: &Expr| variables().find(|q| q.symbol == *symbol).map_or(*symbol, |q| q.of_start);
-    let mut wanted: Vec<Expr> = reduction.model.parameters[..free].iter().map(|p| p.symbol).collect();
-    wanted.extend(reduction.constants.iter().map(|constant| constant.of_start));
-    wanted.extend(equations.coordinates.iter().chain(&equations.variables).map(of_start));
-    let tape = compile_tape(reduction.arena(), symbols, &wanted, "the start of a reduced variable")?.to();
-    let mut parameters: Vec<S> = tape.evaluate(values);
-    let mut q = parameters.split_off(reduction.model.parameters.len());
-    let v = q.split_off(equations.coordinates.len());
-    Ok([parameters, q, v])
+/// Returns a scene whose events and tolerances are in the variables of its reduced equations. The parameters and the
+/// start are still those of the whole model.
+pub(crate) fn scene_with_reduced_events(reduction: &Reduction, model: &Model, scene: &Scene) -> Scene {
+    let mut integration = scene.integration.clone();
+    integration.distance = None;
+    if let AbsoluteTolerance::Each(each) = &integration.atol {
+        integration.atol = AbsoluteTolerance::Each(reduced_tolerances(reduction, model, each));
+    }
+    let events = scene.events.iter().zip(&reduction.events);
+    let events = events.map(|(event, function)| SceneEvent { function: *function, ..event.clone() }).collect();
+    Scene { integration, ladder: None, events, ..scene.clone() }
 }
 
 /// Absolute tolerances of the reduced variables, each in its own unit. A reduced variable is computed

@@ -15,7 +15,7 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::observer::Observer;
 use crate::preparation::exact_start::{StartNumbers, exact_start_speeds};
-use crate::preparation::reduced_equations::enclosed_reduced_start;
+use crate::preparation::reduced_start::enclosed_reduced_start;
 use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::{EquationsOrigin, has_reducible_form};
 use tripos_derive::reduce::ReductionBasis;

@@ -53,7 +53,7 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&EquationsName>
 
 /// Condition for the use of a scene's reduced equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum ReducedRun {
+pub(crate) enum ReducedRun {
     /// The reduced equations are requested: they are used in any case.
     Asked,
     /// No equations are requested: the reduced equations are used if they have an advantage over full
@@ -63,7 +63,7 @@ enum ReducedRun {
 
 /// Reason why full equations are used and the scene's reduced equations are not tried. `None` if the
 /// reduced equations are tried.
-fn reason_to_simulate_full_equations(
+pub(crate) fn reason_to_simulate_full_equations(
     mechanism: &Mechanism,
     scene: &Scene,
     reduced: ReducedRun,

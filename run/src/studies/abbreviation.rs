@@ -273,7 +273,7 @@ impl BaseEquations {
         let is_implicit = scene.integration.method.method().is_some_and(Method::needs_jacobian);
         match self {
             Self::Reduced(reduced) => {
-                let reduction = Reduction { derivation: derivation.clone(), ..reduced.reduction.clone() };
+                let reduction = Reduction { derivation: derivation.clone(), ..(*reduced.reduction).clone() };
                 let code = if is_implicit {
                     interpreted_scene_code(&reduction)?
                 } else {

@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
 use crate::preparation::reduced_equations::ReducedScene;
+use std::sync::Arc;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::reduce::Reduction;
 use tripos_derive::scene::{AccelerationSolution, Scene};
@@ -30,7 +31,7 @@ pub struct ChartCase {
     /// state.
     pub solve: AccelerationSolution,
     /// Reduction that gave the scene's reduced equations; `None` for equations of the whole model.
-    pub reduction: Option<Reduction>,
+    pub reduction: Option<Arc<Reduction>>,
 }
 
 impl ChartCase {

@@ -74,6 +74,12 @@ impl WatchedFunctions {
         }
         Ok(Self { code: balance, watched: list })
     }
+
+    /// True if a watched function contains a reaction, which the Newton–Euler equations give by a numeric solve.
+    #[must_use]
+    pub fn needs_reactions(&self) -> bool {
+        self.code.is_some()
+    }
 }
 
 /// Compiles an expression as a function of the parameters and the integrated state.

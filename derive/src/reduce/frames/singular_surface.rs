@@ -13,51 +13,41 @@ use crate::mechanics::SingularDistance;
 use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::reduce::levels::momentum_level::Level;
 use crate::reduce::levels::surface_quotients::SingularSurface;
+use crate::reduce::result::surface_choice::{SurfaceChoice, nearest_repetition, nearest_singular};
 use crate::reduce::slices::slice::Slice;
 use crate::reduce::slices::wanted_outputs::WantedOutputs;
 use crate::scene::Scene;
-use std::f64::consts::FRAC_PI_2;
-
-/// Number of whole turns to either side of zero within which singular values of a coordinate are
-/// searched.
-const MOST_TURNS: i32 = 100;
 
 impl ReductionBasis {
-    /// Finds the singular surface of reduced equations, on which one of the states is a multiple of
+    /// Chooses the singular surface of reduced equations, on which one of the states is a multiple of
     /// a quarter turn. A surface that the scene names takes precedence over the surface nearest to
-    /// the start. `None` if there is no such surface, or if the scene forbids distances.
-    pub(in crate::reduce) fn find_singular_surface(
+    /// the start. No surface is chosen if there is none, or if the scene forbids distances.
+    pub(in crate::reduce) fn choose_singular_surface(
         &mut self,
         level: &Level,
         wanted: &WantedOutputs,
         scene: &Scene,
-    ) -> Option<SingularDistance> {
+    ) -> SurfaceChoice {
         let stated = scene.integration.distance;
         if !scene.integration.may_measure || (level.divisors.is_empty() && stated.is_none()) {
-            return None;
+            return SurfaceChoice::default();
         }
-        let flow = Slice::new(self, level, wanted)?;
+        let Some(flow) = Slice::new(self, level, wanted) else { return SurfaceChoice::default() };
+        if let Some(chosen) = stated.filter(|d| flow.is_slice_state(self.q[d.coordinate])) {
+            return SurfaceChoice { examined: Vec::new(), chosen: Some(chosen) };
+        }
         let candidates: Vec<usize> = (0..self.q.len()).filter(|at| flow.is_slice_state(self.q[*at])).collect();
-        let mut found: Vec<(f64, usize, i32)> = Vec::new();
-        for at in candidates {
-            let away = |turns: i32| (scene.q[at] - f64::from(turns) * FRAC_PI_2).abs();
+        let mut examined = Vec::new();
+        for coordinate in candidates {
             for quarter_turns in -2..2 {
                 // The surface repeats after each whole turn; the repetition nearest to the start is
                 // used.
-                let again = (-MOST_TURNS..=MOST_TURNS).map(|turn| quarter_turns + 4 * turn);
-                let nearest = again.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(quarter_turns);
-                let place = SingularDistance { coordinate: at, quarter_turns: nearest };
-                if level.divisors.iter().any(|d| self.vanishes_on_surface(*d, place)) {
-                    found.push((away(nearest), at, nearest));
-                }
+                let place = nearest_repetition(SingularDistance { coordinate, quarter_turns }, &scene.q);
+                examined.push((place, level.divisors.iter().any(|d| self.vanishes_on_surface(*d, place))));
             }
         }
-        found.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-        let nearest = found.first().map(|(_, coordinate, quarter_turns)| SingularDistance {
-            coordinate: *coordinate,
-            quarter_turns: *quarter_turns,
-        });
-        stated.filter(|d| flow.is_slice_state(self.q[d.coordinate])).or(nearest)
+        let chosen = nearest_singular(&examined, &scene.q);
+        SurfaceChoice { examined, chosen }
     }
 
     /// True if the term `e` is zero where the coordinate has the value of the surface `place`.

@@ -4,3 +4,4 @@ pub(super) mod omissions;
 pub(super) mod pack_reduction;
 pub(super) mod reduction;
 pub(super) mod reduction_proof;
+pub(super) mod surface_choice;

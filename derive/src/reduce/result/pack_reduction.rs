@@ -4,6 +4,7 @@
 use super::omissions::omissions;
 use super::reduction::{ReducedOutput, ReducedQuantity, Reduction};
 use super::reduction_proof::{WholeModel, prove_reduction};
+use super::surface_choice::SurfaceChoice;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::term::steps::Definition;
 use crate::algebra::text::print::print_text;
@@ -77,6 +78,7 @@ pub fn pack_reduction(
         outputs,
         events,
         frame,
+        surface: SurfaceChoice::default(),
         kept_by_domain,
         folded,
         omitted,

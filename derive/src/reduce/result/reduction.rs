@@ -2,6 +2,7 @@
 //! proof.
 
 use super::reduction_proof::ReductionProof;
+use super::surface_choice::SurfaceChoice;
 use crate::algebra::term::steps::Definition;
 use crate::algebra::text::print;
 use crate::algebra::{Arena, Expr, Rational};
@@ -87,6 +88,8 @@ pub struct Reduction {
     pub events: Vec<Expr>,
     /// Moving frame in which the equations are written; `None` without a frame.
     pub frame: Option<MovingFrame>,
+    /// Singular surface from which the equations measure a coordinate. It depends on the start of the scene.
+    pub surface: SurfaceChoice,
     /// Descriptions of symmetries that leave every shown quantity unchanged but change a condition
     /// of the model's domain. So they are not used for a moving frame.
     pub kept_by_domain: Vec<String>,

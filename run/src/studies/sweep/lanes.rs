@@ -8,23 +8,18 @@ use crate::code::Code;
 use crate::integration_options::integration_options_for_ends;
 use crate::preparation::problem::Problem;
 use crate::trust::watched_functions::{WatchedFunctions, watched_events};
-use tripos_derive::Model;
 use tripos_derive::scene::{AccelerationSolution, Scene};
 use tripos_sim::batch::{self, BatchOutcome, BatchPlan, Trajectory, WatchedTrajectory};
 use tripos_sim::{EliminatedDynamics, Method, Options, OutputOption, Solution};
 use tripos_traits::{CompiledSystem, InLanes};
 
 /// Finds the equations that compute several runs of a sweep at once in lanes of vector registers. `None`
-/// if the runs cannot use lanes.
+/// if the run of this problem cannot use lanes.
 ///
 /// The equations must be compiled, with eliminated accelerations. The integrator must be DOP853 or
-/// Taylor's method with error control. Contacts, constraints and corners are not allowed.
-pub fn lane_equations(
-    model: &Model,
-    scene: &Scene,
-    solve: AccelerationSolution,
-    code: &Code,
-) -> Option<InLanes<'static>> {
+/// Taylor's method with error control. Contacts, constraints, projection and corners are not allowed.
+pub fn lane_equations(problem: &Problem<'_>) -> Option<InLanes<'static>> {
+    let Problem { model, scene, code, solve, .. } = *problem;
     let Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) = code else { return None };
     let how = &scene.integration;
     let has_method =
@@ -32,7 +27,8 @@ pub fn lane_equations(
     // Lanes cannot correct states onto constraints, end steps at corners, or compute impacts.
     let is_moved = code.system().constraint_count() > 0 || !scene.impacts.is_empty();
     let cornered = !model.corner_instants(&scene.parameters).is_empty();
-    let plain = solve == AccelerationSolution::Eliminated && how.step.is_none() && !is_moved && !cornered;
+    let is_free = how.step.is_none() && how.project.is_none();
+    let plain = solve == AccelerationSolution::Eliminated && is_free && !is_moved && !cornered;
     (has_method && plain).then_some(*lanes)
 }
 

@@ -1,168 +1,21 @@
 //! Runs of a sweep in blocks of points. Each block is run by one thread.
 
-use super::lanes::{self, LaneRequest};
+use super::full_equations::FullEquations;
+use super::lanes::{self, LaneRequest, lane_equations};
+use super::own_equations::OwnPoint;
+use super::point_problem::PointProblem;
 use super::sweep_row::{RunEnd, SweepRow};
-use crate::code::{Code, CodePreparation, runnable_code};
-use crate::error::{Error, refused_scene_error};
+use super::swept_scene::Sweep;
+use crate::error::Error;
 use crate::integration_options::{integration_options, integration_options_for_ends};
-use crate::mechanism::Mechanism;
-use crate::overrides::Overrides;
 use crate::preparation::problem::Problem;
-use crate::simulation::run_problem::prove_integrals_to_watch;
-use crate::simulation::shown_quantities::ShownQuantities;
-use crate::simulation::simulate::{equations_in_all_rates, simulate_with_changing_speeds};
-use crate::trust::correct_digits::estimate_digits;
-use crate::trust::watched_functions::{WatchedFunctions, watched_events};
-use crate::trust::watched_invariants::WatchedInvariants;
+use crate::trust::watched_functions::WatchedFunctions;
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
-use tripos_derive::mechanics::{EquationsOrigin, InertiaCheck};
-use tripos_derive::scene::{AccelerationSolution, Family, Grid, Integrator, Scene};
-use tripos_sim::{Event, Options, SimError, Solution, Warning};
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use tripos_derive::scene::{Family, Scene};
+use tripos_sim::{Options, Solution, Stop};
 use tripos_traits::InLanes;
-
-/// Data of a sweep that all its points and threads share.
-pub struct Sweep<'a> {
-    /// Mechanism of the scene, the same for all points.
-    pub model: &'a Mechanism,
-    /// Scene as its file states it, changed by the overrides.
-    pub scene: &'a Scene,
-    /// Grid of the quantities that vary, with their values.
-    pub grid: &'a Grid,
-    /// Overrides that replace the integration settings of each point's scene.
-    pub by: &'a EquationsOrigin,
-    /// Overrides that replace integration settings of each point's scene.
-    pub how: &'a Overrides,
-    /// First integrals whose changes are reported for each run. `None` if they were not proved, or if the
-    /// scene has impacts.
-    pub watch: Option<WatchedInvariants>,
-    /// Method that finds the accelerations: eliminated beforehand, or solved for numerically at each
-    /// state.
-    pub solve: AccelerationSolution,
-    /// Warnings that hold for the run of every point.
-    pub warnings: Vec<String>,
-    /// Check that all moving bodies have mass at the parameters of a point.
-    inertia: InertiaCheck<'a>,
-    /// Names of the quantities that the table shows at the end of each run.
-    pub names: Vec<String>,
-    /// Equations of motion ready to run, which all threads share.
-    pub code: Code,
-    /// Equations in the rates of all coordinates, for poses in which the speeds of a constrained
-    /// mechanism fail. `None` if there are no such poses.
-    rates: Option<Code>,
-    /// Events and domain conditions that each run watches.
-    balance: WatchedFunctions,
-    /// Functions that compute the shown quantities.
-    shown: ShownQuantities,
-    /// True if a second run of each point determines the number of its correct digits.
-    pub tells_digits: bool,
-    /// Flag that is set when no more rows are wanted; the threads then stop.
-    pub stop: AtomicBool,
-}
-
-impl<'a> Sweep<'a> {
-    /// Prepares the sweep of a scene over a grid, which was read for this scene. The overrides `how` must
-    /// already be applied to the scene.
-    ///
-    /// # Errors
-    /// [`Error`] if these equations and the scene's integrator cannot run any point.
-    pub fn new(
-        model: &'a Mechanism,
-        scene: &'a Scene,
-        grid: &'a Grid,
-        by: &'a EquationsOrigin,
-        how: &'a Overrides,
-    ) -> Result<Self, Error> {
-        let how_own = scene.integration.method == Integrator::Quadrature || scene.integration.project.is_some();
-        if how_own {
-            let what = "a sweep runs full equations, which have neither quadrature nor projection".to_owned();
-            let help = "give a stepping method, and leave `project` out of the scene".to_owned();
-            return Err(Error::request(what, help));
-        }
-        let code = runnable_code(model, by, scene.integration.distance, CodePreparation::preparation_for_runs(scene))?;
-        let balance = WatchedFunctions::new(model, model, scene, by)?;
-        let inertia = InertiaCheck::new(model);
-        let (solve, warnings, rates) = {
-            let problem = Problem::for_scene_of_many(&inertia, model, scene, by, &code, None)?;
-            let warnings = try_sweep_step(&problem)?;
-            (problem.solve, warnings, equations_in_all_rates(&problem)?)
-        };
-        // Impacts change the conserved quantities.
-        let watch = if scene.impacts.is_empty() { prove_integrals_to_watch(model)? } else { None };
-        let shown = ShownQuantities::new(model, scene)?;
-        let names = shown.names.clone();
-        Ok(Self {
-            model,
-            scene,
-            grid,
-            by,
-            how,
-            watch,
-            solve,
-            warnings,
-            inertia,
-            rates,
-            names,
-            code,
-            balance,
-            shown,
-            tells_digits: false,
-            stop: AtomicBool::new(false),
-        })
-    }
-
-    /// True if T + V is constant in every run: no force without a potential does work, no constraint is
-    /// driven, and the scene has no impacts.
-    fn conserves_energy(&self) -> bool {
-        !self.code.system().has_power() && !self.model.is_driven() && self.scene.impacts.is_empty()
-    }
-
-    /// Names of the quantities that are constant in each motion: the proved first integrals. If a model is
-    /// too large for the proof, only the energy is named. Empty if no quantity is constant.
-    pub fn conserved_names(&self) -> Vec<&str> {
-        match &self.watch {
-            Some(watch) => watch.integrals.iter().map(|integral| integral.name.as_str()).collect(),
-            None if self.conserves_energy() => vec!["energy T + V"],
-            None => Vec::new(),
-        }
-    }
-
-    /// Makes a worker, which has the data that one thread needs for itself.
-    ///
-    /// # Errors
-    /// [`Error`] if the text of the scene cannot be read again.
-    pub fn make_worker(&'a self) -> Result<SweepWorker<'a>, Error> {
-        let family = Family::new(self.scene, self.model, self.grid)?;
-        // Correct digits need whole runs with samples, which lanes do not give.
-        let lanes = if self.tells_digits {
-            None
-        } else {
-            lanes::lane_equations(self.model, self.scene, self.solve, &self.code)
-        };
-        Ok(SweepWorker { sweep: self, family, lanes })
-    }
-}
-
-/// Tests the integrator with one step from the scene's start. Returns the warnings that hold for every
-/// point.
-///
-/// # Errors
-/// `Error` if the integrator cannot run any point.
-fn try_sweep_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
-    // The start of the scene file may be unsuitable for a run although the points of the sweep are suitable.
-    let Ok(y0) = problem.start() else { return Ok(Vec::new()) };
-    let options = Options { step_limit: 1, ..integration_options_for_ends(problem.scene) };
-    match problem.integrate(&y0, &options, &mut []) {
-        Err(error @ (SimError::NoStep { .. } | SimError::NoJacobian { .. } | SimError::NoSeries { .. })) => {
-            Err(refused_scene_error(problem.scene, &error))
-        }
-        Err(_) => Ok(Vec::new()),
-        Ok(solution) => {
-            let raised = solution.warnings.iter().filter(|w| matches!(w, Warning::RtolRaised { .. }));
-            Ok(raised.map(ToString::to_string).collect())
-        }
-    }
-}
 
 /// Worker of one thread, which runs its share of the points of a sweep.
 pub struct SweepWorker<'a> {
@@ -170,9 +23,36 @@ pub struct SweepWorker<'a> {
     sweep: &'a Sweep<'a>,
     /// Reader that makes the scene of each point from the scene and the grid.
     family: Family<'a>,
-    /// Equations that compute several runs at once in vector registers (lanes); `None` if the runs
-    /// cannot use lanes.
-    lanes: Option<InLanes<'static>>,
+}
+
+/// Scene of a point with the equations by which it runs.
+struct SweptPoint<'s> {
+    /// Scene of the point as a file would state it.
+    scene: &'s Scene,
+    /// Scene in the variables of its reduced equations; `None` if the point runs by full equations.
+    own: Option<OwnPoint>,
+}
+
+/// Equations in lanes for some points of a block.
+struct Lanes<'s> {
+    /// Equations that compute several runs at once in vector registers (lanes).
+    equations: InLanes<'static>,
+    /// Events and domain conditions that each run watches.
+    balance: &'s WatchedFunctions,
+    /// Indices of the points in the block, counted from 0.
+    places: Vec<usize>,
+    /// Requests of these points, in the same order.
+    requests: Vec<LaneRequest<'s>>,
+}
+
+impl<'a> Sweep<'a> {
+    /// Makes a worker, which has the data that one thread needs for itself.
+    ///
+    /// # Errors
+    /// [`Error`] if the text of the scene cannot be read again.
+    pub fn make_worker(&'a self) -> Result<SweepWorker<'a>, Error> {
+        Ok(SweepWorker { sweep: self, family: Family::new(&self.scene, self.model, self.grid)? })
+    }
 }
 
 impl SweepWorker<'_> {
@@ -189,131 +69,183 @@ impl SweepWorker<'_> {
             });
             (point, values, scene)
         };
-        let scenes: Vec<_> = points.map(read).collect();
-        let solutions = self.solve_in_lanes(scenes.iter().map(|(.., scene)| scene.as_ref().ok()));
-        let mut rows = Vec::new();
-        for ((point, values, scene), solution) in scenes.into_iter().zip(solutions) {
+        let (mut rows, mut scenes) = (Vec::new(), Vec::new());
+        for (point, values, scene) in points.map(read) {
+            rows.push((point, values));
+            scenes.push(scene);
+        }
+        let scenes = scenes.iter().map(|scene| scene.as_ref().map_err(Error::clone));
+        let swept: Vec<_> = scenes.map(|scene| self.swept_point(scene?)).collect();
+        let solutions = self.solve_in_lanes(&swept);
+        let mut done_rows = Vec::new();
+        for (((point, values), swept), solution) in rows.into_iter().zip(&swept).zip(solutions) {
             if self.sweep.stop.load(Ordering::Relaxed) {
                 break;
             }
-            let outcome = scene.and_then(|scene| self.run_point(&scene, solution));
+            let outcome = match swept {
+                Ok(swept) => self.run_point(swept, solution).map_err(|failure| failure_reason(&failure)),
+                Err(error) => Err(failure_reason(error)),
+            };
             if self.sweep.model.follow.is_interrupted() {
                 // The last run may have been cut short.
                 break;
             }
-            rows.push(SweepRow { point, values, outcome: outcome.map_err(|failure| failure_reason(&failure)) });
+            done_rows.push(SweepRow { point, values, outcome });
             done();
         }
-        rows
+        done_rows
     }
 
-    /// Computes the solutions of the scenes that can run together in lanes. `None` for a scene that
+    /// Chooses the equations by which the scene of a point runs.
+    ///
+    /// # Errors
+    /// `Error` if a moving body has no mass at the point's parameters, or if the point needs reduced equations and
+    /// has none.
+    fn swept_point<'s>(&self, scene: &'s Scene) -> Result<SweptPoint<'s>, Error> {
+        let Sweep { model, inertia, own, full, .. } = self.sweep;
+        inertia.at(&scene.exact.rational).map_err(|error| Error::Input(model.diagnose(&error)))?;
+        let Some(equations) = own else { return Ok(SweptPoint { scene, own: None }) };
+        let own = equations.point(scene).and_then(|own| {
+            let singular = own.problem(model, scene)?.reason_start_is_singular()?;
+            singular.map_or(Ok(own), |why| Err(Error::Stopped(format!("the run cannot start: {why}"))))
+        });
+        match own {
+            Ok(own) => Ok(SweptPoint { scene, own: Some(own) }),
+            Err(error) if full.is_empty() => Err(error),
+            Err(_) => Ok(SweptPoint { scene, own: None }),
+        }
+    }
+
+    /// Computes the solutions of the points that can run together in lanes. `None` for a point that
     /// cannot.
-    fn solve_in_lanes<'s>(&self, scenes: impl ExactSizeIterator<Item = Option<&'s Scene>>) -> Vec<Option<Solution>> {
-        let mut solutions: Vec<Option<Solution>> = (0..scenes.len()).map(|_| None).collect();
-        let Some(equations) = self.lanes else { return solutions };
-        let problem = |scene| self.problem(scene).ok();
-        let requests = scenes.enumerate().filter_map(|(at, scene)| Some((at, LaneRequest::new(problem(scene?)?)?)));
-        let (places, requests): (Vec<usize>, Vec<LaneRequest<'_>>) = requests.unzip();
-        for (at, solution) in places.into_iter().zip(lanes::run_lanes(equations, &self.sweep.balance, &requests)) {
-            solutions[at] = solution;
+    fn solve_in_lanes(&self, points: &[Result<SweptPoint<'_>, Error>]) -> Vec<Option<Solution>> {
+        let mut solutions: Vec<Option<Solution>> = points.iter().map(|_| None).collect();
+        // Correct digits need whole runs with samples, which lanes do not give.
+        if self.sweep.tells_digits {
+            return solutions;
+        }
+        let mut left: Vec<(usize, &SweptPoint<'_>)> =
+            points.iter().enumerate().filter_map(|(at, point)| Some((at, point.as_ref().ok()?))).collect();
+        while let Some((_, first)) = left.first().copied() {
+            let (together, others) = left.into_iter().partition(|(_, point)| has_equal_equations(first, point));
+            left = others;
+            let Some(Lanes { equations, balance, places, requests }) = self.lanes(together) else { continue };
+            for (at, solution) in places.into_iter().zip(lanes::run_lanes(equations, balance, &requests)) {
+                solutions[at] = solution;
+            }
         }
         solutions
     }
 
-    /// Makes the problem of a point: its scene with the equations of the sweep.
-    ///
-    /// # Errors
-    /// `Error` if a moving body has no mass at the point's parameters.
-    fn problem<'s>(&'s self, scene: &'s Scene) -> Result<Problem<'s>, Error> {
-        let Sweep { inertia, model, by, solve, .. } = self.sweep;
-        Problem::for_scene_of_many(inertia, model, scene, by, &self.sweep.code, Some(*solve))
+    /// Collects points with equal equations for a run in lanes. `None` if none of them can be run in lanes.
+    fn lanes<'s>(&'s self, points: Vec<(usize, &'s SweptPoint<'s>)>) -> Option<Lanes<'s>> {
+        let Sweep { model, inertia, .. } = self.sweep;
+        let own = points.first()?.1.own.as_ref();
+        let full = if own.is_none() { self.sweep.full_equations().next() } else { None };
+        let balance = own.map(|own| &own.shared.balance).or(full.map(|full| &full.balance))?;
+        let problem = |point: &'s SweptPoint<'s>| match (&point.own, full) {
+            (Some(own), _) => own.problem(model, point.scene).ok(),
+            (None, Some(full)) => full.problem(model, point.scene, inertia).ok(),
+            (None, None) => None,
+        };
+        let (mut places, mut requests, mut found) = (Vec::new(), Vec::new(), None);
+        for (at, point) in points {
+            let Some(problem) = problem(point) else { continue };
+            let Some(equations) = lane_equations(&problem) else { continue };
+            let Some(request) = LaneRequest::new(problem) else { continue };
+            found = Some(equations);
+            places.push(at);
+            requests.push(request);
+        }
+        Some(Lanes { equations: found?, balance, places, requests })
     }
 
-    /// Runs the scene of a point, and returns the results for its row. If `solution` is given, it is used
-    /// and the scene is not run again.
+    /// Runs a point, and returns the results for its row. If `solution` is given, it is the solution of the point's
+    /// first equations.
+    ///
+    /// If reduced equations do not run the point to its end, full equations replace them where they do.
     ///
     /// # Errors
     /// `Error` if the run cannot start.
-    fn run_point(&self, scene: &Scene, solution: Option<Solution>) -> Result<RunEnd, Error> {
-        let problem = self.problem(scene)?;
-        if let Some(solution) = solution {
-            return self.row_results(&problem, &solution, None);
+    fn run_point(&self, point: &SweptPoint<'_>, solution: Option<Solution>) -> Result<RunEnd, Error> {
+        let (mut first, mut solution) = (None, solution);
+        if let Some(own) = &point.own {
+            let row = self.run_own(point.scene, own, solution.take());
+            if row.as_ref().is_ok_and(|row| row.failure.is_none()) || self.sweep.model.follow.is_interrupted() {
+                return row;
+            }
+            first = Some(row);
         }
-        let Some(rates) = &self.sweep.rates else {
-            return self.run_point_with(&problem, |y0, options, events| {
-                problem.integrate(y0, options, events).map_err(|error| refused_scene_error(scene, &error))
-            });
-        };
-        let mut watched = watched_events(&problem, &self.sweep.balance);
-        match problem.run_in_chosen_speeds_alone(rates, &self.options(scene), &mut watched, None)? {
-            Some(solution) => self.run_point_with(&problem, |_, _, _| Ok(solution)),
-            None => simulate_with_changing_speeds(&problem, rates, |problem| {
-                self.run_point_with(problem, |y0, options, events| problem.solve(y0, options, events, None))
-            }),
+        for full in self.sweep.full_equations() {
+            let row = self.run_full(point.scene, full, solution.take());
+            let reaches = |row: &RunEnd| match &first {
+                Some(Ok(first)) => reaches_as_far(point.scene, row, first),
+                _ => true,
+            };
+            if row.as_ref().is_ok_and(|row| row.failure.is_none() && reaches(row)) {
+                return row;
+            }
+            let is_used_up = row.as_ref().is_ok_and(|row| row.stop == Stop::StepLimit { limit: 0 }.code());
+            first = first.or(Some(row));
+            if is_used_up || self.sweep.model.follow.is_interrupted() {
+                break;
+            }
         }
+        first.unwrap_or_else(|| Err(Error::Stopped("no equations can run this point".to_owned())))
+    }
+
+    /// Runs a point by its reduced equations, and returns the results for its row.
+    ///
+    /// # Errors
+    /// `Error` if the run cannot start.
+    fn run_own(&self, scene: &Scene, own: &OwnPoint, solution: Option<Solution>) -> Result<RunEnd, Error> {
+        let problem = own.problem(self.sweep.model, scene)?;
+        let point = PointProblem { problem: &problem, balance: &own.shared.balance, shown: None, solution };
+        self.run_end(&point)
+    }
+
+    /// Runs a point by full equations, and returns the results for its row.
+    ///
+    /// # Errors
+    /// `Error` if the run cannot start.
+    fn run_full(&self, scene: &Scene, full: &FullEquations, solution: Option<Solution>) -> Result<RunEnd, Error> {
+        let Sweep { model, inertia, .. } = self.sweep;
+        let problem = full.problem(model, scene, inertia)?;
+        if solution.is_some() {
+            return self.run_end(&full.point(&problem, solution));
+        }
+        full.run(&problem, &self.options(&problem), |point| self.run_end(point))
+    }
+
+    /// Runs a prepared problem, and returns the results for its row.
+    ///
+    /// # Errors
+    /// `Error` if the run cannot start.
+    fn run_end(&self, point: &PointProblem<'_, '_>) -> Result<RunEnd, Error> {
+        let Sweep { names, tells_digits, .. } = self.sweep;
+        point.run_end(names, self.sweep.conserved(), &self.options(point.problem), *tells_digits)
     }
 
     /// Integration options for the run of a point. Samples are kept only if the number of correct digits
     /// is wanted.
-    fn options(&self, scene: &Scene) -> Options {
+    fn options(&self, problem: &Problem<'_>) -> Options {
+        let scene = problem.scene;
         if self.sweep.tells_digits { integration_options(scene) } else { integration_options_for_ends(scene) }
     }
+}
 
-    /// Runs a problem from its start by the function `solve`, and returns the results for its row.
-    ///
-    /// # Errors
-    /// `Error` if the run cannot start, or the errors of `solve`.
-    fn run_point_with(
-        &self,
-        problem: &Problem<'_>,
-        solve: impl FnOnce(&[f64], &Options, &mut [Event<'_>]) -> Result<Solution, Error>,
-    ) -> Result<RunEnd, Error> {
-        let y0 = problem.start()?;
-        let Sweep { balance, shown, tells_digits, .. } = self.sweep;
-        let options = self.options(problem.scene);
-        let mut watched = watched_events(problem, balance);
-        let solution = solve(&y0, &options, &mut watched)?;
-        drop(watched);
-        let values = |problem: &Problem<'_>, t: f64, y: &[f64]| shown.of(problem, t, y);
-        let digits =
-            if *tells_digits { estimate_digits(problem, &y0, &options, &solution, &values, balance)? } else { None };
-        self.row_results(problem, &solution, digits.and_then(|digits| digits.digits_at_end_least()))
+/// True if two points run by the same equations.
+fn has_equal_equations(a: &SweptPoint<'_>, b: &SweptPoint<'_>) -> bool {
+    match (&a.own, &b.own) {
+        (Some(a), Some(b)) => Arc::ptr_eq(&a.shared, &b.shared),
+        (None, None) => true,
+        _ => false,
     }
+}
 
-    /// Collects the results of a point's run at its end: shown quantities, changes of conserved quantities,
-    /// counts and failures. `digits` is the number of correct digits, if known.
-    fn row_results(&self, problem: &Problem<'_>, solution: &Solution, digits: Option<f64>) -> Result<RunEnd, Error> {
-        let changes = match &self.sweep.watch {
-            Some(watch) => watch.changes(problem, solution),
-            None if self.sweep.conserves_energy() => {
-                let dynamics = problem.dynamics().map_err(|error| refused_scene_error(problem.scene, &error))?;
-                vec![dynamics.energy_drift(solution)]
-            }
-            None => Vec::new(),
-        };
-        let shown = self.sweep.shown.of(problem, solution.t_end, &solution.y_end)?;
-        let failed = solution.stop.is_failure().then(|| solution.stop.described(&problem.variable_names()));
-        let without = shown.iter().position(|x| !x.is_finite());
-        let missing = || without.map(|at| format!("`{}` has no value at the end", self.sweep.shown.names[at]));
-        let exist = |at: usize| {
-            let watch = self.sweep.watch.as_ref();
-            watch.is_none_or(|watch| watch.integrals_exist(&problem.scene.parameters)[at])
-        };
-        let lost = changes.iter().enumerate().any(|(at, change)| change.is_nan() && exist(at));
-        let unkept = || lost.then(|| "a conserved quantity of this motion is not a finite number".to_owned());
-        Ok(RunEnd {
-            t_end: solution.t_end,
-            stop: solution.stop.code(),
-            failure: failed.or_else(missing).or_else(unkept),
-            shown,
-            steps: solution.steps,
-            rejected: solution.rejected,
-            evaluations: solution.evaluations,
-            changes,
-            digits,
-        })
-    }
+/// True if the run of a row ends no earlier than that of another, in the direction of time of the scene's span.
+fn reaches_as_far(scene: &Scene, row: &RunEnd, other: &RunEnd) -> bool {
+    (row.t_end - other.t_end) * (scene.span.1 - scene.span.0).signum() >= 0.0
 }
 
 /// Reason why a point has no run, as text for its row. The texts of several errors are joined by
