@@ -75,8 +75,8 @@ fn rows_by_reduced_equations_are_those_of_the_full_equations() {
     assert!(reduced >= 10, "{reduced} of these scenes run by reduced equations");
 }
 
-/// Goal: the columns of a table do not depend on what is compiled. Method: a pendulum whose full equations are compiled,
-/// and a copy of its model, which is interpreted; lengths that vary are in no compiled reduced equations.
+/// Goal: the columns of a table do not depend on what is compiled. Method: a pendulum whose full equations are
+/// compiled, and a copy of its model, which is interpreted; lengths that vary are in no compiled reduced equations.
 #[test]
 fn columns_do_not_depend_on_the_equations_that_run() {
     let folder = tempfile::tempdir().unwrap();
