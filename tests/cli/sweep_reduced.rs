@@ -44,6 +44,8 @@ fn rows_by_reduced_equations_are_those_of_the_full_equations() {
     let mut reduced = 0;
     for (scene, over, until) in [
         ("disk/scenes/lean", &["q2=-1.2:1.3:5", "q1'=0,0.4"][..], "2"),
+        // Away from the flat pose, where Kane's equations lose digits: against quadrature, they have errors of 2e-8
+        // after 1 s from a lean of 1.3, and the reduced equations 2e-11.
         ("disk/scenes/report-10s", &["q2=-0.8:0.9:4", "q4'=-1,0"], "0.5"),
         ("disk/scenes/lean", &["g=1.62,9.81", "R=0.5,2"], "2"),
         ("cart_with_spring/scenes/released", &["x=-0.1,0.2,0.3"], "2"),

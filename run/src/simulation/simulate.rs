@@ -167,7 +167,7 @@ fn replace_failed_run(
             Err(Error::Unsupported(_) | Error::Stopped(_)) => continue,
             Err(error) => return Err(error),
         };
-        if other.failure().is_none() && reaches_as_far(scene, &other, &run) {
+        if other.failure().is_none() && reaches_as_far(scene, other.solution.t_end, run.solution.t_end) {
             let left =
                 if run.by.is_reduced() { "the scene's own".to_owned() } else { format!("those by {}", run.by.title()) };
             other
@@ -198,9 +198,9 @@ fn reason_to_replace_run(run: &Run) -> Option<String> {
     }
 }
 
-/// True if `run` ends no earlier than `other`, in the direction of time of the scene's span.
-fn reaches_as_far(scene: &Scene, run: &Run, other: &Run) -> bool {
-    (run.solution.t_end - other.solution.t_end) * (scene.span.1 - scene.span.0).signum() >= 0.0
+/// True if the instant `end`, s, is no earlier than `other`, in the direction of time of the scene's span.
+pub(crate) fn reaches_as_far(scene: &Scene, end: f64, other: f64) -> bool {
+    (end - other) * (scene.span.1 - scene.span.0).signum() >= 0.0
 }
 
 /// Runs a scene by one set of full equations, and shows the quantities that the scene requests.

@@ -9,6 +9,7 @@ use super::swept_scene::Sweep;
 use crate::error::Error;
 use crate::integration_options::{integration_options, integration_options_for_ends};
 use crate::preparation::problem::Problem;
+use crate::simulation::simulate::reaches_as_far;
 use crate::trust::watched_functions::WatchedFunctions;
 use std::ops::Range;
 use std::sync::Arc;
@@ -179,7 +180,7 @@ impl SweepWorker<'_> {
         for full in self.sweep.full_equations() {
             let row = self.run_full(point.scene, full, solution.take());
             let reaches = |row: &RunEnd| match &first {
-                Some(Ok(first)) => reaches_as_far(point.scene, row, first),
+                Some(Ok(first)) => reaches_as_far(point.scene, row.t_end, first.t_end),
                 _ => true,
             };
             if row.as_ref().is_ok_and(|row| row.failure.is_none() && reaches(row)) {
@@ -241,11 +242,6 @@ fn has_equal_equations(a: &SweptPoint<'_>, b: &SweptPoint<'_>) -> bool {
         (None, None) => true,
         _ => false,
     }
-}
-
-/// True if the run of a row ends no earlier than that of another, in the direction of time of the scene's span.
-fn reaches_as_far(scene: &Scene, row: &RunEnd, other: &RunEnd) -> bool {
-    (row.t_end - other.t_end) * (scene.span.1 - scene.span.0).signum() >= 0.0
 }
 
 /// Reason why a point has no run, as text for its row. The texts of several errors are joined by
