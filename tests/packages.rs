@@ -2,7 +2,7 @@
 
 use proc_macro2::{TokenStream, TokenTree};
 use serde_json::Value;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -123,4 +123,30 @@ fn all_crates_can_be_packaged_together() {
     let made = std::fs::read_dir(target.path().join("package")).unwrap();
     let made = made.filter(|entry| entry.as_ref().unwrap().path().extension().is_some_and(|e| e == "crate"));
     assert_eq!(made.count(), packages().len());
+}
+
+/// Features of each library that `cargo tree` lists with the given arguments, by name and version; procedural macros and
+/// what they use are left out.
+fn features(arguments: &[&str]) -> BTreeMap<String, BTreeSet<String>> {
+    let format = ["--prefix", "none", "--format", "{p}|{f}", "--locked"];
+    let mut features = BTreeMap::new();
+    for line in cargo(&[&["tree"], arguments, &format[..]].concat()).lines() {
+        let (package, listed) = line.trim_end_matches(" (*)").split_once('|').unwrap();
+        let mut words = package.split(' ');
+        let name = [words.next().unwrap(), words.next().unwrap()].join(" ");
+        features.entry(name).or_insert_with(BTreeSet::new).insert(listed.to_owned());
+    }
+    features
+}
+
+/// Goal: the second command of the README compiles no library again that the first has compiled. Method: the tests ask
+/// for the same features of each library, other than the models, of which the command compiles one alone.
+#[test]
+fn tests_compile_no_library_again_that_the_command_has_compiled() {
+    let command = features(&["-e", "normal,no-proc-macro"]);
+    let tests = features(&["--workspace", "-e", "normal,dev,no-proc-macro"]);
+    assert!(command.len() > 50, "{command:?}");
+    let differing: Vec<_> = command.iter().filter(|(name, features)| !features.is_subset(&tests[*name])).collect();
+    let names: Vec<&str> = differing.iter().map(|(name, _)| name.split(' ').next().unwrap()).collect();
+    assert_eq!(names, ["tripos-models"], "let cli/Cargo.toml ask for the features of the tests: {differing:?}");
 }
