@@ -125,12 +125,12 @@ fn all_crates_can_be_packaged_together() {
     assert_eq!(made.count(), packages().len());
 }
 
-/// Features of each library that `cargo tree` lists with the given arguments, by name and version; procedural macros and
-/// what they use are left out.
+/// Features of each library that `cargo tree` lists with the given arguments, by name and version; procedural macros
+/// and what they use are left out.
 fn features(arguments: &[&str]) -> BTreeMap<String, BTreeSet<String>> {
     let format = ["--prefix", "none", "--format", "{p}|{f}", "--locked"];
     let mut features = BTreeMap::new();
-    for line in cargo(&[&["tree"], arguments, &format[..]].concat()).lines() {
+    for line in cargo(&[&["tree"], arguments, &format[..]].concat()).lines().filter(|line| !line.is_empty()) {
         let (package, listed) = line.trim_end_matches(" (*)").split_once('|').unwrap();
         let mut words = package.split(' ');
         let name = [words.next().unwrap(), words.next().unwrap()].join(" ");

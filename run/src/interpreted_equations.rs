@@ -193,14 +193,18 @@ impl InterpretedEquations {
         self.series = recurrences.map(|list| Series::new(&arena, parameters, &list)).transpose()?;
         let rates = &e.unknowns[..e.variables.len()];
         let both = [&e.coordinate_rates, rates].concat();
-        let tape = |steps: &[Definition], outputs: &[Expr]| Tape::stepwise(&arena, &self.state, steps, outputs);
-        self.tapes[InterpretedQuantity::Accelerations as usize] = Some(tape(&accelerations.steps, rates)?);
-        self.tapes[InterpretedQuantity::Derivative as usize] = Some(tape(&accelerations.steps, &both)?);
+        // Lagrange's equations of long loops also define the generalized speeds of joints, which v̇ does not need.
+        let tape = |inputs: &[Expr], steps: &[Definition], outputs: &[Expr]| {
+            Tape::stepwise(&arena, inputs, &needed_steps(&arena, steps, outputs), outputs)
+        };
+        self.tapes[InterpretedQuantity::Accelerations as usize] = Some(tape(&self.state, &accelerations.steps, rates)?);
+        self.tapes[InterpretedQuantity::Derivative as usize] = Some(tape(&self.state, &accelerations.steps, &both)?);
         let inputs = [self.state.clone(), jacobian.direction.clone()].concat();
-        let of_jacobian = Tape::stepwise(&arena, &inputs, &jacobian.steps, &jacobian.entries.concat())?;
+        let of_jacobian = tape(&inputs, &jacobian.steps, &jacobian.entries.concat())?;
         self.is_product = !jacobian.direction.is_empty();
         self.tapes[InterpretedQuantity::Jacobian as usize] = Some(of_jacobian);
-        self.tapes[InterpretedQuantity::Divisors as usize] = Some(tape(&divisors.steps, &divisors.values)?);
+        self.tapes[InterpretedQuantity::Divisors as usize] =
+            Some(tape(&self.state, &divisors.steps, &divisors.values)?);
         Ok(self)
     }
 
