@@ -192,7 +192,7 @@ def test_the_command_writes_tables_in_columns(tmp_path, scene, ending):
     assert table.column_names == expected.names and table.num_rows == len(expected)
     for name in expected.names:
         column = table[name].to_pylist()
-        if name in ("stop", "reason"):
+        if name in ("stop", "warning", "reason"):
             assert column == expected[name]
         else:
             cells = np.array([np.nan if value is None else value for value in column], dtype=float)

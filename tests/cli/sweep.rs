@@ -246,6 +246,7 @@ fn the_summary_counts_how_rows_ended() {
             }
           },
           "failed": 2,
+          "warned": 0,
           "threads": 2,
           "seconds": 0,
           "out": "OUT"
@@ -276,6 +277,44 @@ fn what_is_conserved_changes_little() {
     }
     let loose = table(&sweep(0, REPORT, &["--rtol", "1e-1", "--over", "q2=0.0349"]));
     assert!(loose[0]["change of energy T + V"].parse::<f64>().unwrap() > 1e-3, "what is not kept is seen");
+}
+
+/// Goal: a row whose numbers are wrong says so, and no other row does. Method: the report's own tolerances, by which
+/// all rows lose their energy before ten seconds, and tight ones; `simulate` has such an objection at one point.
+#[test]
+fn rows_that_cannot_be_trusted_have_a_warning() {
+    let grid = ["--over", "q2=0.1:1.4:8"];
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out.csv");
+    let json = |more: &[&str]| {
+        let arguments = [&["sweep", REPORT, "--json", "--overwrite", "--out", out.to_str().unwrap()], &grid[..], more];
+        let output = tripos(&arguments.concat());
+        assert_eq!(status(&output), 0, "{}", stderr(&output));
+        let text = stderr(&output);
+        (serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap()["warned"].as_u64().unwrap(), text)
+    };
+    let (warned, text) = json(&[]);
+    assert!(warned == 8 && text.contains("warning: some runs cannot be trusted"), "{warned}: {text}");
+    let rows = table(&text_of(&out));
+    for row in &rows {
+        assert!(row["warning"].contains("energy") && row["warning"].contains("constant in this motion"), "{row:?}");
+    }
+    let start = format!("q2 = {}", rows[1]["over:q2"]);
+    let single = text_of(root().join(REPORT)).replace("q2 = \"2*deg\"", &start);
+    let single = scene(folder.path(), "models/disk/model.toml", &single);
+    let run = tripos(&["simulate", &single, "--by", "kane"]);
+    assert!(stderr(&run).contains("constant in this motion"), "{}", stderr(&run));
+    let (warned, text) = json(&["--rtol", "1e-10", "--atol", "1e-12"]);
+    assert!(warned == 0 && !text.contains("warning:"), "{warned}: {text}");
+    assert!(table(&text_of(&out)).iter().all(|row| row["warning"].is_empty()));
+    // Few digits, by a second run of each point.
+    let digits = ["--digits", "--rtol", "1e-4", "--atol", "1e-6", "--by", "kane"];
+    let (warned, _) = json(&digits);
+    let few =
+        table(&text_of(&out)).into_iter().filter(|row| row["digits"].parse().is_ok_and(|digits: f64| digits < 3.0));
+    let few: Vec<_> = few.collect();
+    assert!(!few.is_empty() && warned >= few.len() as u64, "{warned} of {few:?}");
+    assert!(few.iter().all(|row| row["warning"].contains("fewer than three digits")), "{few:?}");
 }
 
 #[test]

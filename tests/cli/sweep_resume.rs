@@ -152,9 +152,9 @@ fn another_sweep_does_not_go_on_with_it() {
     std::fs::write(folder.path().join("model.toml"), &model).unwrap();
     // Tables that no such sweep has left.
     for (table, reason) in [
-        ([&header[..], b"1,0.1,500,end,0,0,1,1,1,0,\n"].concat(), "row 1 is not that of point 0"),
+        ([&header[..], b"1,0.1,500,end,0,0,1,1,1,0,,\n"].concat(), "row 1 is not that of point 0"),
         ([&header[..], b"0,0.1\n"].concat(), "row 1 is not that of point 0"),
-        ([&header[..], b"0,0.1,5.0.0,end,0,0,1,1,1,0,\n"].concat(), "row 1 has no number in the column `t_end`"),
+        ([&header[..], b"0,0.1,5.0.0,end,0,0,1,1,1,0,,\n"].concat(), "row 1 has no number in the column `t_end`"),
         (b"index,other\n".to_vec(), "its columns are others"),
     ] {
         killed.leave(&table);

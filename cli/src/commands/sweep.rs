@@ -70,6 +70,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
             "shard": { "part": shard.part, "of": shard.of, "first": points.start, "rows": count, "kept": kept_rows },
             "stops": tally.json(),
             "failed": tally.rows_without_result(),
+            "warned": tally.rows_with_warnings(),
             "threads": threads,
             "seconds": seconds.as_secs_f64(),
             "out": request.out.display().to_string(),
@@ -93,6 +94,9 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
             tally.text(),
             request.out.display()
         ));
+    }
+    if tally.rows_with_warnings() > 0 {
+        warn("some runs cannot be trusted: the column `warning` of the table says which ones, and why");
     }
     Ok(if tally.rows_without_result() > 0 { status::STOPPED } else { 0 })
 }

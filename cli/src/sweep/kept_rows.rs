@@ -61,8 +61,9 @@ impl KeptRows {
                 let why = format!("row {number} has no number in the column `{name}`");
                 return Err(UnfinishedTableMismatch::Other(why));
             }
-            let reason = fields.iter().next_back().filter(|reason| !reason.is_empty());
-            kept.tally.count(point, &fields[columns.stop_column_index()], reason);
+            let text = |at: usize| fields.get(at).filter(|text| !text.is_empty());
+            let (warning, reason) = (text(columns.count() - 2), text(columns.count() - 1));
+            kept.tally.count(point, &fields[columns.stop_column_index()], warning, reason);
             kept.rows += 1;
             kept.bytes += line.len() as u64;
         }

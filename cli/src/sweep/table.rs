@@ -21,7 +21,7 @@ pub struct Columns {
 impl Columns {
     /// Returns the columns for a sweep: `index`, `over:NAME` for each varied number, `t_end`, `stop`, and the values at
     /// the end. The following columns are `steps`, `rejected`, `evaluations`, the change of each first integral,
-    /// `digits` if requested, and `reason`.
+    /// `digits` if requested, `warning` and `reason`.
     pub fn new(sweep: &Sweep<'_>) -> Self {
         let states = sweep.names.clone();
         let changes: Vec<String> = sweep.conserved_names().iter().map(|name| format!("change of {name}")).collect();
@@ -38,7 +38,7 @@ impl Columns {
             fixed(&["steps", "rejected", "evaluations"]),
             changes,
             fixed(if sweep.tells_digits { &["digits"] } else { &[] }),
-            fixed(&["reason"]),
+            fixed(&["warning", "reason"]),
         ];
         Self { names: names.concat(), stop, states: counts[0], changes: counts[1], tells_digits: sweep.tells_digits }
     }
@@ -58,7 +58,7 @@ impl Columns {
     /// may be empty.
     pub fn first_without_number(&self, row: &csv::StringRecord) -> Option<&str> {
         let is_number = |cell: &str| cell.is_empty() || cell.parse::<f64>().is_ok();
-        let has_text = |at: usize| at == self.stop || at + 1 == self.names.len();
+        let has_text = |at: usize| at == self.stop || at + 2 >= self.names.len();
         let mut cells = row.iter().zip(&self.names).enumerate();
         cells.find(|(at, (cell, _))| !has_text(*at) && !is_number(cell)).map(|(_, (_, name))| name.as_str())
     }
@@ -99,7 +99,7 @@ impl Columns {
                 fields.extend(nothing(self.states + 3 + self.changes + usize::from(self.tells_digits)));
             }
         }
-        fields.push(row.failure().unwrap_or_default().to_owned());
+        fields.extend([row.warning(), row.failure()].map(|text| text.unwrap_or_default().to_owned()));
         fields
     }
 }

@@ -96,8 +96,9 @@ def answer(
 
 
 def warn_of(messages: str, category: type[TriposWarning] = TriposWarning) -> None:
-    """Makes each warning of a command a Python warning of a class."""
-    for text in re.findall(r"^warning: (.*(?:\n(?!warning: |error: |note: )[ \t].*)*)", messages, flags=re.MULTILINE):
+    """Makes each warning of a command, or of several commands, a Python warning of a class. Equal ones are made once."""
+    found = re.findall(r"^warning: (.*(?:\n(?!warning: |error: |note: )[ \t].*)*)", messages, flags=re.MULTILINE)
+    for text in dict.fromkeys(found):
         warnings.warn(text, category, stacklevel=4)
 
 

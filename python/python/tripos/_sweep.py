@@ -27,7 +27,7 @@ from ._scene import Scene
 #: Values that vary: texts as `tripos sweep --over` takes them, or the values of each number by its name.
 Over = Union[str, Sequence[str], Mapping[str, Union[float, Iterable[float]]]]
 #: Columns that hold texts.
-TEXTS = ("stop", "reason")
+TEXTS = ("stop", "warning", "reason")
 #: Options of the command that a sweep in Python does not take, and what to use in their place.
 REFUSED = {
     **dict.fromkeys(("out", "json", "resume", "overwrite"), "save the returned table by table.save(path)"),
@@ -60,7 +60,7 @@ class SweepTable:
         return sum(1 for _ in csv.reader(io.StringIO(self.csv))) - 1
 
     def __getitem__(self, name: str) -> Any:
-        """Values of a column: numbers as an array, with NaN in empty cells; texts of `stop` and `reason` as a list."""
+        """Values of a column: numbers as an array, with NaN in empty cells; texts of `stop`, `warning` and `reason` as a list."""
         if name not in self.names:
             raise KeyError(f"the sweep has no column {name!r}; it has {', '.join(self.names)}")
         at = self.names.index(name)
@@ -251,7 +251,7 @@ def sweep(
         # A wrong request fails here, and not on each worker.
         run_block(request, 0, CHECK_BLOCKS, threads)
         results = run_on(client, request, count or blocks_for(client), retries, threads, progress)
-    warn_of(results[0][1], UntrustedRunWarning)
+    warn_of("".join(messages for _, messages, _ in results), UntrustedRunWarning)
     return SweepTable.joined([table for table, _, _ in results])
 
 

@@ -47,11 +47,28 @@ pub fn objections_to_run(
     }
     list.extend(digits.and_then(|digits| too_few_digits_objection(digits, names)));
     list.extend(digits.and_then(|digits| contradiction_objection(digits, &problem.variable_names())));
-    if let Some(watch) = watch {
-        let worst = excursions_for_objections(problem, solution, watch);
-        list.extend(worst.iter().filter(|(_, furthest)| furthest.ratio > 1.0).map(excursion_objection));
-    }
-    if !watch.is_some_and(|watch| watch.integrals.iter().any(|integral| integral.kind.is_energy())) {
+    list.extend(objections_without_digits(problem, solution, watch, energy_drift)?);
+    Ok(list)
+}
+
+/// Lists the objections to a run that need no second run: changes of conserved quantities, open constraints, and an
+/// ill-conditioned matrix. `watch` are the first integrals to check, and `energy_drift` is the change of T + V less the
+/// work done, J; `None` for what is not checked.
+///
+/// # Errors
+/// [`Error::Request`] if the number of parameters does not fit the equations.
+pub fn objections_without_digits(
+    problem: &Problem<'_>,
+    solution: &Solution,
+    watch: Option<&WatchedInvariants>,
+    energy_drift: Option<f64>,
+) -> Result<Vec<String>, Error> {
+    let worst = watch.map_or_else(Vec::new, |watch| excursions_for_objections(problem, solution, watch));
+    let changed: Vec<_> = worst.iter().filter(|(_, furthest)| furthest.ratio > 1.0).collect();
+    let mut list: Vec<String> = changed.iter().map(|worst| excursion_objection(worst)).collect();
+    // Near a pole of the coordinates, a small error of one coordinate allows any change of the energy. There the energy
+    // itself decides.
+    if !changed.iter().any(|(integral, _)| integral.kind.is_energy()) {
         list.extend(energy_drift.and_then(|drift| energy_objection(problem, solution, drift)));
     }
     list.extend(broken_constraint_objection(problem, solution));
@@ -94,8 +111,7 @@ fn contradiction_objection(digits: &CorrectDigits, names: &[String]) -> Option<S
 }
 
 /// Objection to a drift of the energy: T + V minus the work done must be constant. `None` if the drift
-/// is small. It is used if the energy is not among the watched first integrals, because loads do
-/// work or no integrals were searched for.
+/// is small. It is used if no watched first integral shows a loss of energy.
 fn energy_objection(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<String> {
     let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
     let n = system.lengths().coordinates;

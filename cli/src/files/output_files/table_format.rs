@@ -105,7 +105,7 @@ mod columns {
     /// decide the types of other columns.
     fn column_type(name: &str, mut cells: impl Iterator<Item = impl AsRef<str>>) -> DataType {
         match name {
-            "stop" | "reason" => DataType::Utf8,
+            "stop" | "warning" | "reason" => DataType::Utf8,
             "index" => DataType::Int64,
             _ if cells.all(|cell| cell.as_ref().is_empty() || cell.as_ref().parse::<f64>().is_ok()) => {
                 DataType::Float64

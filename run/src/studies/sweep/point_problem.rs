@@ -4,9 +4,11 @@ use super::sweep_row::RunEnd;
 use crate::error::{Error, refused_scene_error};
 use crate::preparation::problem::Problem;
 use crate::simulation::shown_quantities::ShownQuantities;
-use crate::trust::correct_digits::estimate_digits;
+use crate::trust::correct_digits::{FEW, estimate_digits};
+use crate::trust::objections_without_digits;
 use crate::trust::watched_functions::{WatchedFunctions, watched_events};
 use crate::trust::watched_invariants::WatchedInvariants;
+use tripos_derive::prove::IntegralKind;
 use tripos_sim::{Options, Solution};
 
 /// Conserved quantities whose changes the rows of a sweep state.
@@ -43,6 +45,22 @@ impl<'a> ConservedColumns<'a> {
             }
             Self::Nothing => Vec::new(),
         })
+    }
+
+    /// Objections to a run whose changes of the quantities are `changes`, and to other errors that the run shows.
+    ///
+    /// # Errors
+    /// [`Error`] if the equations refuse the parameters of the problem.
+    fn objections(self, problem: &Problem<'_>, solution: &Solution, changes: &[f64]) -> Result<Vec<String>, Error> {
+        let (watch, energy_drift) = match self {
+            Self::Integrals(watch) => {
+                let energy = watch.integrals.iter().position(|integral| integral.kind == IntegralKind::Energy);
+                (Some(watch), energy.map(|at| changes[at]))
+            }
+            Self::Energy => (None, Some(changes[0])),
+            Self::Nothing => (None, None),
+        };
+        objections_without_digits(problem, solution, watch, energy_drift)
     }
 
     /// Tells for each quantity if it exists at the parameters of a problem.
@@ -103,6 +121,27 @@ impl PointProblem<'_, '_> {
         }
     }
 
+    /// Reasons why the numbers of the run cannot be trusted, joined by semicolons; `None` if there are none.
+    /// `digits` is the number of correct digits, if known.
+    ///
+    /// # Errors
+    /// [`Error`] if the equations refuse the parameters of the problem.
+    fn warning(
+        &self,
+        conserved: ConservedColumns<'_>,
+        solution: &Solution,
+        changes: &[f64],
+        digits: Option<f64>,
+    ) -> Result<Option<String>, Error> {
+        let names = self.problem.variable_names();
+        let mut list: Vec<String> = solution.warnings.iter().map(|warning| warning.warning_text(&names)).collect();
+        if digits.is_some_and(|digits| digits < FEW) {
+            list.push("fewer than three digits are right at the end".to_owned());
+        }
+        list.extend(conserved.objections(self.problem, solution, changes)?);
+        Ok((!list.is_empty()).then(|| list.join("; ")))
+    }
+
     /// Collects the results of the run at its end: shown quantities, changes of conserved quantities,
     /// counts and failures. `digits` is the number of correct digits, if known.
     fn results(
@@ -130,10 +169,13 @@ impl PointProblem<'_, '_> {
         let mut both = changes.iter().zip(conserved.exist(problem));
         let lost = both.any(|(change, exists)| change.is_nan() && exists);
         let unkept = || lost.then(|| "a conserved quantity of this motion is not a finite number".to_owned());
+        let failure = failed.or_else(missing).or_else(unkept);
+        let warning = if failure.is_none() { self.warning(conserved, solution, &changes, digits)? } else { None };
         Ok(RunEnd {
             t_end: solution.t_end,
             stop: solution.stop.code(),
-            failure: failed.or_else(missing).or_else(unkept),
+            failure,
+            warning,
             shown,
             steps: solution.steps,
             rejected: solution.rejected,

@@ -18,6 +18,8 @@ pub struct RunEnd {
     pub stop: String,
     /// Reason why the run could not continue, or why its end has no value; `None` if the end is valid.
     pub failure: Option<String>,
+    /// Reasons why the numbers of a valid end cannot be trusted, joined by semicolons; `None` if there are none.
+    pub warning: Option<String>,
     /// Values at the end of the run: coordinates and generalized speeds, followed by the other outputs
     /// of the scene.
     pub shown: Vec<f64>,
@@ -52,5 +54,11 @@ impl SweepRow {
             Ok(ended) => ended.failure.as_deref(),
             Err(reason) => Some(reason),
         }
+    }
+
+    /// Reasons why the numbers of the row cannot be trusted, joined by semicolons; `None` if there are none.
+    #[must_use]
+    pub fn warning(&self) -> Option<&str> {
+        self.outcome.as_ref().ok()?.warning.as_deref()
     }
 }
