@@ -231,3 +231,64 @@ fn loops_that_cannot_close_are_told_with_their_place() {
     assert!(err.contains("the joint cannot close its loop: `open_3` is open by 0.5 in every pose"), "{err}");
     assert!(err.contains("arm.xml:4:"), "{err}");
 }
+
+/// Goal: a weld holds the orientation that it states, and not one half a turn away, which satisfies the same three
+/// equations. Method: a body that is welded half a turn away from where it is drawn, and a chain of four bars in a
+/// plane whose end is welded, from guesses on both sides; the angles of the bars add up to whole turns.
+#[test]
+fn a_weld_holds_its_orientation_and_not_half_a_turn_from_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let turned = r#"<mujoco><compiler angle="radian"/><worldbody>
+        <body name="a"><freejoint name="f"/><geom size=".1"/>
+        <body name="b" pos="0.3 0 0"><joint name="k"/><geom size=".1" pos=".1 0 0"/></body></body></worldbody>
+        <equality><weld body1="world" body2="a" relpose="0 0 0 0 0 0 1"/></equality></mujoco>"#;
+    std::fs::write(folder.path().join("turned.xml"), turned).unwrap();
+    let (status, _, err) = tripos_in(folder.path(), &["new", "turned", "--from", "turned.xml"]);
+    assert!(status == 0 && err.is_empty(), "{err}");
+    let (status, out, err) = tripos_in(folder.path(), &["simulate", "turned/scenes/first.toml", "--json"]);
+    assert_eq!(status, 0, "{err}");
+    let state = &serde_json::from_str::<Value>(&out).unwrap()["state"];
+    let of = |name: &str| state[name].as_f64().unwrap();
+    assert!((of("q_f_7").abs() - 1.0).abs() < 1e-12 && of("q_f_4").abs() < 1e-12, "{state}");
+    assert!(of("q_k").abs() < 1e-12, "the pin keeps the angle in which it is drawn: {state}");
+
+    let mut model = "schema = 1\nname = \"chain\"\n[parameters]\nl = { unit = \"m\", value = 1, positive = true }\n\
+                     m = { unit = \"kg\", value = 1, positive = true }\nx = { unit = \"m\", value = 1.5 }\n\
+                     y = { unit = \"m\", value = 0.5 }\n[inertial]\nframe = \"N\"\norigin = \"O\"\n[bodies]\n"
+        .to_owned();
+    for bar in 1..=4 {
+        let _ =
+            writeln!(model, "b{bar} = {{ mass = \"m\", inertia = {{ diagonal = [0, \"m*l^2/12\", \"m*l^2/12\"] }} }}");
+    }
+    model += "[joints]\n";
+    for bar in 1..=4 {
+        let to = if bar > 1 { format!("to = \"b{}\", at = [\"l\", 0, 0], ", bar - 1) } else { String::new() };
+        let _ =
+            writeln!(model, "j{bar} = {{ kind = \"pin\", axis = 3, body = \"b{bar}\", {to}centre = [\"l/2\", 0, 0] }}");
+    }
+    model += "end = { kind = \"weld\", body = \"b4\", at = [\"x\", \"y\", 0], body_at = [\"l\", 0, 0] }\n";
+    std::fs::write(folder.path().join("chain.toml"), model).unwrap();
+    let scene = |start: &str, guess: &str| {
+        let text = format!("model = \"chain.toml\"\nspan = [0, 0.01]\n[start]\n{start}\nu_j1 = 0\n[guess]\n{guess}\n");
+        std::fs::write(folder.path().join("scene.toml"), text).unwrap();
+        tripos_in(folder.path(), &["simulate", "scene.toml", "--json"])
+    };
+    // The guesses' angles add up to 0.1 and to π.
+    for guess in ["q_j2 = 1\nq_j3 = 0.5\nq_j4 = -1.9", "q_j2 = -1.5\nq_j3 = 2.4\nq_j4 = 1.7416"] {
+        let (status, out, err) = scene("q_j1 = 0.5", guess);
+        assert_eq!(status, 0, "{out}{err}");
+        let run = serde_json::from_str::<Value>(&out).unwrap();
+        let q: Vec<f64> = (1..=4).map(|bar| run["state"][format!("q_j{bar}")].as_f64().unwrap()).collect();
+        let (mut angle, mut place) = (0.0, [0.0, 0.0]);
+        for q in &q {
+            angle += q;
+            place = [place[0] + f64::cos(angle), place[1] + f64::sin(angle)];
+        }
+        assert!((f64::cos(angle) - 1.0).abs() < 1e-12, "{guess}: {q:?}");
+        assert!((place[0] - 1.5).abs() < 1e-9 && (place[1] - 0.5).abs() < 1e-9, "{guess}: {place:?}");
+    }
+    // Positions closed, and the last bar turned by π.
+    let all = "q_j1 = 0.3\nq_j2 = 0.5092290047524293\nq_j3 = -1.3552320556905315\nq_j4 = 3.6875957045278955";
+    let (status, _, err) = scene(all, "");
+    assert!(status == 2 && err.contains("the joint `end` is closed half a turn away from its orientation"), "{err}");
+}

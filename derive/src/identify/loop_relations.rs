@@ -7,7 +7,9 @@ use crate::algebra::term::calculus::Gradient;
 use crate::algebra::value::tape::Tape;
 use crate::algebra::{Arena, Expr};
 use crate::model::Model;
-use crate::model::constraints::closed_pose_search::{ClosedPoseSearch, RandomNumbers, random_coordinate_ranges};
+use crate::model::constraints::closed_pose_search::{
+    ClosedPoseSearch, RandomNumbers, orientation_program, random_coordinate_ranges,
+};
 use nalgebra::{DMatrix, DVector};
 use tripos_linear::{SingularValues, singular_values};
 
@@ -233,12 +235,14 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
     let instant = time.map(|at| (model.coordinates[at].symbol, 0.0));
     let of_poses: Vec<(Expr, f64)> = known.iter().copied().chain(instant).collect();
     let loops: Vec<Expr> = model.loops.iter().chain(&model.closed).map(|c| c.equation).collect();
+    let sides = orientation_program(&regressor.arena, &of_poses, &coordinates, &model.orientations);
     let poses = ClosedPoseSearch {
         known: &of_poses,
         coordinates: &coordinates,
         reach: &reach,
         loops: &loops,
         flat: 0.0,
+        sides: sides.as_ref(),
         home: None,
     };
     // If there are enough poses, relations are found in half of them and checked in the other half.

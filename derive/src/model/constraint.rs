@@ -51,6 +51,17 @@ pub struct LoopEquation {
     pub prescribes: bool,
 }
 
+/// Orientation that a weld or a slider holds where it closes a loop. Three equations hold it, which also permit half a
+/// turn from it.
+#[derive(Clone, Debug)]
+pub struct HeldOrientation {
+    /// Name of the joint in the model file.
+    pub joint: String,
+    /// Sum of the cosines between equal axes of the two frames, as a term in parameters and coordinates. In a closed
+    /// pose it is 3, or −1 if one frame is half a turn away from its orientation.
+    pub cosines: Expr,
+}
+
 /// Component of the velocity at which a rolling body would slip at its contact. Rolling makes this component zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SlipComponent {

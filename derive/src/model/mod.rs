@@ -20,7 +20,7 @@ pub(crate) use bodies::joint_kinds::JOINT_KINDS;
 pub(crate) use bodies::shapes::SHAPE_KINDS;
 pub use bodies::shapes::{Shape, ShapeForm, equations_text};
 pub use constraint::{
-    AddedVelocity, AssemblyBranch, Constraint, JointOpeningMotion, LoopEquation, MotionConstraint,
+    AddedVelocity, AssemblyBranch, Constraint, HeldOrientation, JointOpeningMotion, LoopEquation, MotionConstraint,
     MotionConstraintKind, RedundantConstraint, SlipComponent,
 };
 pub use contacts::{ComparedBodies, ConstrainedVelocity, Contacts};
@@ -305,6 +305,8 @@ pub struct Model {
     /// Redundant loop equations: their rates follow from those of [`Self::loops`] in all poses in which the loops are
     /// closed. They restrict no further velocity.
     pub closed: Vec<LoopEquation>,
+    /// Orientations that closing joints hold, and that their equations alone do not determine.
+    pub orientations: Vec<HeldOrientation>,
     /// Pose with closed loops near the values under `[assembly]`, at the default values: a value in SI units for each
     /// generalized coordinate. `None` if the model file has no such section.
     pub assembly: Option<Vec<f64>>,

@@ -20,8 +20,8 @@ use super::reading::declared_names::{NameKind, Names};
 use super::reading::loading::Loading;
 use super::reading::repetition::expand_repetition;
 use super::{
-    ComparedBodies, Coordinate, DomainCondition, JointReaction, Model, NamedVelocity, Parameter, RedundantEquation,
-    SlipComponent,
+    ComparedBodies, Coordinate, DomainCondition, HeldOrientation, JointReaction, Model, NamedVelocity, Parameter,
+    RedundantEquation, SlipComponent,
 };
 use crate::algebra::solve::pivot_values::PivotValues;
 use crate::algebra::term::calculus::Substitution;
@@ -185,6 +185,8 @@ struct Connections {
     holding: Vec<JointReaction>,
     /// Equations of joints that close loops, as components of vectors.
     closures: Vec<Closure>,
+    /// Orientations that joints that close loops hold.
+    orientations: Vec<HeldOrientation>,
     /// True if all connections were read without errors.
     is_known: bool,
 }
@@ -215,8 +217,17 @@ impl<'a> Loading<'a> {
         let mut elements = Elements::read(self, table, &joints, &reactions);
         let shapes = self.shapes(table, &elements, &parameters);
         let before_constraints = self.reader.errors.len();
-        let Connections { velocities, values, configuration, motion, slips, holding, mut closures, is_known } =
-            self.connections(table, &mut elements, &coordinates, &joints);
+        let Connections {
+            velocities,
+            values,
+            configuration,
+            motion,
+            slips,
+            holding,
+            mut closures,
+            mut orientations,
+            is_known,
+        } = self.connections(table, &mut elements, &coordinates, &joints);
         let SolvedConfiguration {
             constraints,
             replacements,
@@ -250,6 +261,9 @@ impl<'a> Loading<'a> {
         for closure in &mut closures {
             closure.vector = closure.vector.substitute(&mut self.arena, &mut fixed);
         }
+        for held in &mut orientations {
+            held.cosines = fixed.apply(&mut self.arena, held.cosines);
+        }
         let mut fix = |constraint: StatedConstraint| constraint.substitute(&mut self.arena, &mut fixed);
         let [kept, stated]: [Vec<_>; 2] = [kept, motion].map(|list| list.into_iter().map(&mut fix).collect());
         let tied = ConstraintParts {
@@ -260,6 +274,7 @@ impl<'a> Loading<'a> {
             parameters: &parameters,
             assembly: assembly.as_ref(),
             drives: &drives,
+            orientations: &orientations,
             kept,
             stated,
             rolling: slips.into_iter().map(|(c, rolled)| (fix(c), rolled)).collect(),
@@ -343,6 +358,7 @@ impl<'a> Loading<'a> {
             openings,
             loops,
             closed,
+            orientations,
             assembly: assembled,
             conditions,
             dependent,
@@ -475,7 +491,7 @@ impl<'a> Loading<'a> {
         // After an error in frames or points, velocities are not computed.
         let is_known = !needs_motion || self.reader.errors.is_empty();
         let (mut slips, mut holding, mut values) = (Vec::new(), Vec::new(), Vec::new());
-        let mut closures = Vec::new();
+        let (mut closures, mut orientations) = (Vec::new(), Vec::new());
         if !is_known {
             stated.clear();
         } else if needs_motion {
@@ -492,7 +508,7 @@ impl<'a> Loading<'a> {
             elements.potentials = self.potentials_with_positions(&mut put, potentials);
             let closing = self.closing_joint_equations(&mut moving, &closings);
             stated.extend(closing.equations);
-            (holding, closures) = (closing.reactions, closing.closures);
+            (holding, closures, orientations) = (closing.reactions, closing.closures, closing.orientations);
             elements.forces.extend(forces);
             self.friction_loads(&mut moving, elements, friction);
         }
@@ -503,7 +519,7 @@ impl<'a> Loading<'a> {
         }
         elements.contacts.compared = compared;
         let (configuration, motion) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
-        Connections { velocities, values, configuration, motion, slips, holding, closures, is_known }
+        Connections { velocities, values, configuration, motion, slips, holding, closures, orientations, is_known }
     }
 
     /// True if an equation contains no rates and no speeds, so that it restricts the configuration and not

@@ -2,7 +2,7 @@
 
 use crate::algebra::value::tape::Tape;
 use crate::algebra::{Arena, Expr};
-use crate::model::constraints::closed_pose_search::{ClosedPoseSearch, random_coordinate_ranges};
+use crate::model::constraints::closed_pose_search::{ClosedPoseSearch, orientation_program, random_coordinate_ranges};
 use crate::model::{Model, Unit};
 use nalgebra::DMatrix;
 use tripos_linear::singular_values;
@@ -69,12 +69,14 @@ impl SingularPoseSearch<'_> {
         if unknowns.len() > MOST_UNKNOWNS {
             return nothing;
         }
+        let sides = orientation_program(arena, self.known, &unknowns, &model.orientations);
         let poses = ClosedPoseSearch {
             known: self.known,
             coordinates: &unknowns,
             reach: &reach,
             loops: &equations,
             flat: FLAT,
+            sides: sides.as_ref(),
             home: None,
         };
         let Some(found) = poses.find_closed_poses(arena, usize::MAX) else { return nothing };

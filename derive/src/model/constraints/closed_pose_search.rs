@@ -7,6 +7,7 @@
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::value::tape::Tape;
 use crate::algebra::{Arena, Expr};
+use crate::model::HeldOrientation;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 use tripos_linear::{SingularValues, singular_values};
@@ -33,6 +34,8 @@ const MOST_LOOPS_ONE_BY_ONE: usize = 60;
 const STARTS_ONE_BY_ONE: usize = 16;
 /// Number of poses, found by closing one loop after another, from which a walk through closed poses starts.
 const WALKS_ONE_BY_ONE: usize = 2;
+/// Number of random poses near the assembled pose from which a closed pose is searched.
+const TRIES_NEAR_HOME: u32 = 60;
 /// Residual up to which a loop counts as closed, relative to the norm of the loop's derivatives.
 const CLOSED: f64 = 1e-13;
 /// Norm above which a row is independent of other rows. It is the norm that the row, of length 1, keeps after the
@@ -56,6 +59,9 @@ pub struct ClosedPoseSearch<'m> {
     /// Additional residual allowed for each loop equation, relative to the norm of all derivatives. It is 0 except
     /// for searches in which an equation may have no derivatives in a pose.
     pub flat: f64,
+    /// Program of terms that are positive in the poses that are meant, from the inputs of the loop program. A pose in
+    /// which one is not positive is not taken. `None` if all closed poses are meant.
+    pub sides: Option<&'m Tape>,
     /// Coordinates near which the mechanism is assembled; `None` if the model file does not state them.
     pub home: Option<&'m [f64]>,
 }
@@ -133,16 +139,44 @@ impl ClosedPoseSearch<'_> {
     /// Closed pose at the pose `home` or near it, and the closed poses of short walks that start there. Empty if no
     /// closed pose is near.
     fn poses_around(&self, tape: &Tape, home: &[f64]) -> Vec<Vec<f64>> {
-        let mut first = home.to_vec();
-        if !self.close_first_loops(tape, self.loops.len(), &mut first) {
-            return Vec::new();
-        }
         let mut chance = RandomNumbers(SEED);
+        let Some(first) = self.closed_pose_near(tape, home, &mut chance) else { return Vec::new() };
         let mut found = vec![first.clone()];
         for _ in 0..WALKS_FROM_HOME {
             self.walk_closed_poses(tape, first.clone(), WALK_FROM_HOME, &mut chance, &mut found);
         }
         found
+    }
+
+    /// Closed pose that the search reaches from the pose `home`. If its frames are turned from their orientations, the
+    /// closed pose that it reaches from a random pose near `home`. `None` if there is none.
+    fn closed_pose_near(&self, tape: &Tape, home: &[f64], chance: &mut RandomNumbers) -> Option<Vec<f64>> {
+        let rows = self.loops.len();
+        let mut first = home.to_vec();
+        if self.close_first_loops(tape, rows, &mut first) {
+            return Some(first);
+        }
+        self.sides?;
+        let mut found = (1..=TRIES_NEAR_HOME).find_map(|at| {
+            let part = f64::from(at) / f64::from(TRIES_NEAR_HOME);
+            let beside = home.iter().zip(self.reach).map(|(q, reach)| q + part * reach * chance.draw());
+            let mut q: Vec<f64> = beside.collect();
+            self.close_first_loops(tape, rows, &mut q).then_some(q)
+        })?;
+        // Coordinates that need not differ from those of `home` return to them.
+        for at in 0..home.len() {
+            let mut q = found.clone();
+            q[at] = home[at];
+            if self.close_first_loops(tape, rows, &mut q) && self.distance(&q, home) < self.distance(&found, home) {
+                found = q;
+            }
+        }
+        Some(found)
+    }
+
+    /// Distance of two poses, relative to the ranges of the coordinates.
+    fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
+        a.iter().zip(b).zip(self.reach).map(|((a, b), reach)| ((a - b) / reach).powi(2)).sum::<f64>().sqrt()
     }
 
     /// Finds closed poses on the branches with the fewest degrees of freedom, by closing one loop after another. A
@@ -271,7 +305,13 @@ impl ClosedPoseSearch<'_> {
         }
     }
 
-    /// Moves the pose `q` until the first `rows` loops are closed. Returns false if no such pose is reached.
+    /// True if the closed pose `q` is meant.
+    fn is_meant(&self, q: &[f64]) -> bool {
+        self.sides.is_none_or(|sides| sides.evaluate(&self.with_known(q)).iter().all(|side| *side > 0.0))
+    }
+
+    /// Moves the pose `q` until the first `rows` loops are closed. Returns false if no such pose is reached, or if all
+    /// loops are closed in it and it is not meant.
     fn close_first_loops(&self, tape: &Tape, rows: usize, q: &mut Vec<f64>) -> bool {
         let (columns, all) = (q.len(), self.loops.len());
         let at = |q: &[f64]| {
@@ -289,7 +329,7 @@ impl ClosedPoseSearch<'_> {
             let flat = self.flat * scale.sqrt();
             let is_closed = |(row, open): (usize, &f64)| open.abs() <= CLOSED * slopes.row(row).norm() + flat;
             if open.iter().enumerate().all(is_closed) {
-                return true;
+                return rows < all || self.is_meant(q);
             }
             let mut damping = left.min(scale);
             let mut better = None;
@@ -313,6 +353,20 @@ impl ClosedPoseSearch<'_> {
         }
         false
     }
+}
+
+/// Program for [`ClosedPoseSearch::sides`], from the orientations that joints hold. `None` if no joint holds one that
+/// changes with the coordinates.
+pub fn orientation_program(
+    arena: &Arena,
+    known: &[(Expr, f64)],
+    coordinates: &[Expr],
+    orientations: &[HeldOrientation],
+) -> Option<Tape> {
+    let cosines = orientations.iter().map(|held| held.cosines);
+    let cosines: Vec<Expr> = cosines.filter(|e| coordinates.iter().any(|q| arena.mentions(*e, *q))).collect();
+    let inputs: Vec<Expr> = known.iter().map(|(symbol, _)| *symbol).chain(coordinates.iter().copied()).collect();
+    if cosines.is_empty() { None } else { Tape::new(arena, &inputs, &cosines).ok() }
 }
 
 /// Largest absolute values of random coordinates: π rad for angles. For distances, twice the

@@ -385,6 +385,7 @@ impl Loading<'_> {
             reach: &reach,
             loops: others,
             flat: 0.0,
+            sides: None,
             home: None,
         };
         let found = poses.find_closed_poses(&mut self.arena, POSES)?;

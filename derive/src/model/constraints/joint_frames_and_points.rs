@@ -12,7 +12,7 @@ use crate::model::reading::declared_names::{CONFIGURATION, NameKind, PARAMETERS}
 use crate::model::reading::loading::Loading;
 use crate::model::reading::tree::Node;
 use crate::model::units::Unit;
-use crate::model::{ForcePlace, JointReaction, JointedBody, Model, Reaction, ReactionKind};
+use crate::model::{ForcePlace, HeldOrientation, JointReaction, JointedBody, Model, Reaction, ReactionKind};
 use crate::toml_reader::Located;
 use toml::de::{DeTable, DeValue};
 
@@ -323,6 +323,7 @@ impl<'a> Loading<'a> {
         closings: &[ClosingJoint],
     ) -> ClosingEquations {
         let (mut list, mut holding, mut closures) = (Vec::new(), Vec::new(), Vec::new());
+        let mut orientations = Vec::new();
         for ClosingJoint { name, kind, axes, frames: [base, body], parts_at_ground, points: [on, at], bodies } in
             closings
         {
@@ -390,6 +391,14 @@ impl<'a> Loading<'a> {
                 });
                 state(self, format!("{}", i + 1), equation, kind, (frame, direction));
             }
+            if let JointKind::Weld | JointKind::Slider = kind {
+                let cosines = [0, 1, 2].map(|i| {
+                    let mut unit = [Expr::ZERO; 3];
+                    unit[i] = Expr::ONE;
+                    moving.component(&mut self.arena, &Vector::in_frame(*body, unit), *base, i)
+                });
+                orientations.push(HeldOrientation { joint: name.text.clone(), cosines: self.arena.sum(&cosines) });
+            }
             for (of, along) in right {
                 let mut unit = [Expr::ZERO; 3];
                 unit[of] = Expr::ONE;
@@ -410,7 +419,7 @@ impl<'a> Loading<'a> {
                 state(self, format!("turn{}{}", of + 1, along + 1), [x, y, z][along], kind, (*base, direction));
             }
         }
-        ClosingEquations { equations: list, reactions: holding, closures }
+        ClosingEquations { equations: list, reactions: holding, closures, orientations }
     }
 }
 
@@ -422,6 +431,8 @@ pub struct ClosingEquations {
     pub reactions: Vec<JointReaction>,
     /// Left sides of the equations as components of vectors, one for each.
     pub closures: Vec<Closure>,
+    /// Orientations that welds and sliders hold.
+    pub orientations: Vec<HeldOrientation>,
 }
 
 /// Index of the last common ancestor of two frames in the tree of frames.

@@ -34,8 +34,8 @@ use crate::model::impossible_bodies::default_parameter_values;
 use crate::model::reading::declared_names::{NameKind, TIME};
 use crate::model::reading::loading::Loading;
 use crate::model::{
-    AssemblyBranch, Coordinate, LoopEquation, MotionConstraint, MotionConstraintKind, Parameter, RedundantConstraint,
-    RedundantEquation, SlipComponent, Speed,
+    AssemblyBranch, Coordinate, HeldOrientation, LoopEquation, MotionConstraint, MotionConstraintKind, Parameter,
+    RedundantConstraint, RedundantEquation, SlipComponent, Speed,
 };
 use crate::toml_reader::Located;
 use std::ops::Range;
@@ -73,6 +73,8 @@ pub struct ConstraintParts<'m> {
     pub assembly: Option<&'m Assembly>,
     /// Constraints that set a coordinate as a function of time, and that are no longer among the equations.
     pub drives: &'m [Drive],
+    /// Orientations that closing joints hold.
+    pub orientations: &'m [HeldOrientation],
     /// Equations between coordinates that cannot be solved for a coordinate.
     pub kept: Vec<StatedConstraint>,
     /// Equations between velocities that the model file states.
@@ -183,6 +185,7 @@ impl<'a> Loading<'a> {
             parameters,
             assembly,
             drives,
+            orientations,
             kept,
             stated,
             rolling,
@@ -269,6 +272,7 @@ impl<'a> Loading<'a> {
             &known,
             home.as_ref().map(|(pose, place)| (pose.as_slice(), *place)),
             also_at,
+            orientations,
             &mut ties,
         );
         (self.reader.errors.len() == before).then_some(ties)

@@ -1,14 +1,14 @@
 //! Choices made in the closed poses of a mechanism: redundant constraints, and the joint speeds that become
 //! generalized speeds.
 
-use super::closed_pose_search::{ClosedPoseSearch, random_coordinate_ranges};
+use super::closed_pose_search::{ClosedPoseSearch, orientation_program, random_coordinate_ranges};
 use super::closed_poses::{ClosedPoses, RedundantRow};
 use super::motion_constraints::{MotionConstraints, SpeedDefinitions};
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::value::rank::rank;
 use crate::model::reading::loading::Loading;
-use crate::model::{Coordinate, MotionConstraintKind, RedundantConstraint, Unit};
+use crate::model::{Coordinate, HeldOrientation, MotionConstraintKind, RedundantConstraint, Unit};
 use crate::plain_text::with_significant_digits;
 use std::ops::{Range, RangeInclusive};
 
@@ -17,7 +17,7 @@ impl Loading<'_> {
     /// there are too many speeds, chooses among those of joints.
     ///
     /// If no closed pose is found, removes the constraints at the indices `also`. Their rates follow from the other
-    /// constraints in every pose.
+    /// constraints in every pose. Closed poses have the given `orientations`.
     pub fn remove_redundant_constraints(
         &mut self,
         coordinates: &[Coordinate],
@@ -25,6 +25,7 @@ impl Loading<'_> {
         defaults: &[(Expr, f64)],
         home: Option<(&[f64], &Range<usize>)>,
         also: Range<usize>,
+        orientations: &[HeldOrientation],
         ties: &mut MotionConstraints,
     ) {
         let SpeedDefinitions { definitions: speeds, brought } = speeds;
@@ -33,7 +34,7 @@ impl Loading<'_> {
         }
         let declared = brought.iter().filter(|brought| !**brought).count()..=speeds.len();
         let pose = home.map(|(pose, _)| pose);
-        let found = self.redundancy_in_closed_poses(coordinates, speeds, declared, defaults, pose, ties);
+        let found = self.redundancy_in_closed_poses(coordinates, speeds, declared, defaults, pose, orientations, ties);
         let closed = match (found, home) {
             (Ok(closed), _) => closed,
             (Err(gap), Some((_, place))) => {
@@ -124,6 +125,7 @@ impl Loading<'_> {
         declared: RangeInclusive<usize>,
         defaults: &[(Expr, f64)],
         home: Option<&[f64]>,
+        orientations: &[HeldOrientation],
         ties: &MotionConstraints,
     ) -> Result<ClosedPoses, Option<(usize, f64)>> {
         let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
@@ -138,12 +140,14 @@ impl Loading<'_> {
             random_coordinate_ranges(coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
         let places: Vec<Expr> = coordinates.iter().map(|c| c.symbol).collect();
         let equations: Vec<Expr> = ties.loops.iter().map(|c| c.equation).collect();
+        let sides = orientation_program(&self.arena, defaults, &places, orientations);
         let poses = ClosedPoseSearch {
             known: defaults,
             coordinates: &places,
             reach: &reach,
             loops: &equations,
             flat: 0.0,
+            sides: sides.as_ref(),
             home,
         };
         let of_constraint = |kind: MotionConstraintKind| match kind {

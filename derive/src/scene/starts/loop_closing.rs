@@ -85,11 +85,19 @@ impl<'a> ValueReader<'a, '_> {
         let value = |at: usize| q[at].as_ref().or(guesses[at].as_ref()).map_or_else(|| assembled(at), |x| x.double);
         let start: Vec<f64> = (0..q.len()).map(value).collect();
         let all: Vec<usize> = (0..q.len()).collect();
-        let found = loops.newton(&p, &start, if free.is_empty() { &all } else { &free });
+        let found = loops.closed_pose_near(&p, &start, if free.is_empty() { &all } else { &free });
         let open_at_start = loops.loop_residuals(&p, &start);
         let is_stated = free.is_empty() && loops.is_closed(&p, &start, &open_at_start, STATED);
         if !found.is_closed || free.is_empty() && !is_stated {
             self.report_failed_loop_closing(&loops, &found, &open_at_start, &free, place);
+            return None;
+        }
+        let turned = loops.turned_joint(&p, if is_stated { &start } else { &found.q });
+        if let Some(joint) = turned {
+            let message =
+                format!("the joint `{joint}` is closed half a turn away from its orientation, by its equations alone");
+            let help = "give values in [start] or [guess] that are nearer to its orientation";
+            self.reader.error(place, message, help);
             return None;
         }
         if loops.is_singular(&p, &found.q) {

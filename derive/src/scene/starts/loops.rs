@@ -6,11 +6,15 @@ use crate::algebra::Expr;
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::value::tape::Tape;
 use crate::model::Model;
+use crate::model::constraints::closed_pose_search::RandomNumbers;
 use crate::scene::numbers::scene_number::Number;
 use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
 use tripos_linear::{SingularValues, singular_values};
 use tripos_traits::{Ball, DoubleDouble, Scalar};
 
+/// Number of random poses from which a pose with right orientations is searched.
+const TRIES: u32 = 60;
 /// Largest number of steps of Newton's method.
 const STEPS: usize = 100;
 /// Largest number of times that a single Newton step is halved.
@@ -50,6 +54,10 @@ pub struct Loops {
     count: usize,
     /// Values at which variables that constraints determine are held.
     held: Vec<Ball>,
+    /// Program that computes the sum of the cosines of each orientation that a joint holds.
+    cosines: Tape,
+    /// Names of the joints that hold these orientations.
+    joints: Vec<String>,
 }
 
 /// Residual of a redundant loop. It should vanish if the independent loops are closed.
@@ -113,6 +121,8 @@ impl Loops {
             count: names.len() - held.len(),
             names,
             held: held.iter().map(|(_, value)| value.enclosure()).collect(),
+            cosines: tape(&model.orientations.iter().map(|held| held.cosines).collect::<Vec<_>>()),
+            joints: model.orientations.iter().map(|held| held.joint.clone()).collect(),
         }
     }
 
@@ -143,11 +153,11 @@ impl Loops {
             let held = doubles(q);
             return self.is_closed(&known, &held, &self.loop_residuals(&known, &held), HELD).then(|| q.to_vec());
         }
-        let found = self.newton(&known, &doubles(q), free);
+        let found = self.closed_pose_near(&known, &doubles(q), free);
         let slopes = self.slopes(&known, &found.q).select_columns(free);
         let sizes = singular_values(&slopes);
         let determines = slopes.nrows() >= free.len() && sizes.min() > SINGULAR * sizes.max();
-        if !found.is_closed || !determines {
+        if !found.is_closed || !determines || self.turned_joint(&known, &found.q).is_some() {
             return None;
         }
         // With derivatives in doubles, each step adds about sixteen digits.
@@ -262,6 +272,45 @@ impl Loops {
         }
         let values = singular_values(&self.slopes(p, q).rows(0, self.independent));
         values.min() <= SINGULAR * values.max()
+    }
+
+    /// Name of a joint that closes a loop and whose frames are half a turn away from their orientation in the closed
+    /// pose `q`. `None` if there is no such joint.
+    pub(in crate::scene) fn turned_joint(&self, p: &[f64], q: &[f64]) -> Option<&str> {
+        let cosines = self.cosines.evaluate(&[p, q].concat());
+        cosines.iter().zip(&self.joints).find(|(sum, _)| **sum <= 0.0).map(|(_, joint)| joint.as_str())
+    }
+
+    /// Finds a closed pose from the pose `start` by Newton's method. If a joint is half a turn away from its
+    /// orientation in that pose, the search starts again from random poses, at first near `start`. Only the coordinates
+    /// with the indices `free` change. If no pose with right orientations is found, the result is that of the first
+    /// search.
+    pub(in crate::scene) fn closed_pose_near(&self, p: &[f64], start: &[f64], free: &[usize]) -> FoundPose {
+        let first = self.newton(p, start, free);
+        if !first.is_closed || self.turned_joint(p, &first.q).is_none() {
+            return first;
+        }
+        let mut chance = RandomNumbers::new();
+        let is_right = |found: &FoundPose| found.is_closed && self.turned_joint(p, &found.q).is_none();
+        let mut others = (1..=TRIES).map(|at| {
+            let mut beside = start.to_vec();
+            for place in free {
+                beside[*place] += f64::from(at) / f64::from(TRIES) * PI * chance.draw();
+            }
+            self.newton(p, &beside, free)
+        });
+        let Some(mut found) = others.find(is_right) else { return first };
+        // Coordinates that need not differ from those of `start` return to them.
+        let distance = |q: &[f64]| q.iter().zip(start).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+        for place in free {
+            let mut beside = found.q.clone();
+            beside[*place] = start[*place];
+            let other = self.newton(p, &beside, free);
+            if is_right(&other) && distance(&other.q) < distance(&found.q) {
+                found = other;
+            }
+        }
+        found
     }
 
     /// Runs Newton's method with halved steps from the pose `start`. Only the coordinates with the indices `free`
