@@ -16,7 +16,7 @@ const fn case(folder: &'static str, roots: usize, says: &'static [&'static str])
     Case { folder, roots, says }
 }
 
-const CASES: [Case; 78] = [
+const CASES: [Case; 79] = [
     // The sign of a multiplier in one system holds for its value below.
     case("03", 0, &["0 different"]),
     case("37", 1, &["the term 2*t1*cos(phi)/R should be 2*t1*cos(phi)/(3*R)"]),
@@ -71,6 +71,8 @@ const CASES: [Case; 78] = [
     case("19", 1, &["m2*l2*g*sin(q2) should be m2*l2*g*sin(q2 + q1)"]),
     case("21", 1, &["pth^2/(2*m*r) should be pth^2/(2*m*r^2)"]),
     case("26", 1, &["it is off by the factor 1/(R - r)"]),
+    // The square of a bracket is lost, whose terms are then terms of the sum around it.
+    case("25", 1, &["w2*(e - R*cos(theta)) + R*w3*sin(theta) should be (w2*(e - R*cos(theta)) + R*w3*sin(theta))^2"]),
     // Right up to a constant on the constraint; combinations of rows with multipliers of their own; with the potential
     // of a driven spring, which the model states as a force.
     case("j15", 0, &["up to a constant"]),

@@ -5,7 +5,7 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
-use tripos_traits::Real;
+use tripos_traits::{DoubleDouble, Real};
 
 /// Real or complex number that can be an entry of a factored matrix.
 pub(crate) trait Entry:
@@ -91,6 +91,22 @@ impl<S: Entry> Lu<S> {
             rest[i] = rest[i] / self.entries[i * n + i];
         }
     }
+}
+
+/// Solves A x = b in 32 digits. `a` has the rows of A one after the other; the solution x replaces `b`. Returns false
+/// if A is exactly singular or not finite; `b` then has no meaning.
+///
+/// # Panics
+/// If `a` does not have as many rows and columns as `b` has entries.
+#[must_use]
+pub fn solve_extended(a: &[DoubleDouble], b: &mut [DoubleDouble]) -> bool {
+    let mut lu = Lu::new(b.len());
+    lu.entries.copy_from_slice(a);
+    let is_regular = lu.factor();
+    if is_regular {
+        lu.solve(b);
+    }
+    is_regular
 }
 
 #[cfg(test)]

@@ -15,3 +15,4 @@ pub(crate) mod vector_arithmetic;
 
 pub use condition_number::{plain_reciprocal_condition, reciprocal_condition};
 pub use linear_solver::{MatrixKind, UnsolvableSystem, matrix_determinant, solve_linear_system};
+pub use lu::solve_extended;

@@ -10,6 +10,8 @@ use rustc_hash::FxHashSet;
 const MOST: usize = 40_000;
 /// Largest number of equal terms (or factors), such as w1 in w1 + w1, of which a single one may be wrong.
 const MOST_EQUAL: i64 = 4;
+/// Largest number of terms of a sum in which groups may have lost a square.
+const MOST_GROUPED: usize = 6;
 /// Fractions (numerator, denominator) by which terms are multiplied to repair a wrong sign or
 /// number.
 const NUMBERS: [(i64, i64); 12] =
@@ -97,6 +99,15 @@ pub fn formula_changes(
             }
         }
     }
+    for sum in parts.iter().copied() {
+        for (before, after) in groups_with_lost_square(arena, sum) {
+            let rest = arena.sub(sum, before);
+            let changed = arena.add(rest, after);
+            if let Some(whole) = formula_with_replacement(arena, root, sum, changed) {
+                tell(arena, FormulaChange { slip: MistakeKind::Power, before, after, whole, throughout: false });
+            }
+        }
+    }
     for part in parts {
         let Some(list) = replacements_at_all_occurrences(arena, pool, part) else { continue };
         for PartReplacement { slip, part: after } in list {
@@ -105,6 +116,32 @@ pub fn formula_changes(
             }
         }
     }
+}
+
+/// Groups of terms of a sum, each before and after it is squared. The square of a bracket may be lost in print; the
+/// terms of the bracket are then terms of the sum around it. A numerical factor of the group may stand outside of the
+/// bracket or inside.
+fn groups_with_lost_square(arena: &mut Arena, sum: Expr) -> Vec<(Expr, Expr)> {
+    let Node::Sum(constant, terms) = arena.node(sum).clone() else { return Vec::new() };
+    let constant = arena.number(constant);
+    let mut list: Vec<Expr> = terms.iter().map(|(term, k)| arena.scale(*term, k)).collect();
+    list.extend(Some(constant).filter(|constant| *constant != Expr::ZERO));
+    if list.len() > MOST_GROUPED {
+        return Vec::new();
+    }
+    // Each bit of a choice stands for a term.
+    let choices = (1_u32..1 << list.len()).filter(|choice| choice.count_ones() > 1);
+    let mut groups = Vec::new();
+    for choice in choices {
+        let chosen: Vec<Expr> = (0..list.len()).filter(|at| choice >> at & 1 == 1).map(|at| list[at]).collect();
+        let group = arena.sum(&chosen);
+        let (content, bare) = arena.split_content(group);
+        let square = arena.square(bare);
+        for factor in [content.clone(), content.neg(), content.mul(&content)] {
+            groups.push((group, arena.scale(square, &factor)));
+        }
+    }
+    groups
 }
 
 /// Replacements for a symbol, a sine or a cosine that apply to all its occurrences; `None` for
