@@ -141,12 +141,16 @@ fn constant(value: &Rational) -> AngleSum {
 fn add_multiple(total: &mut AngleSum, sum: &AngleSum, k: &Rational) {
     for (monomial, own) in sum {
         let own = own.mul(k);
-        match total.get_mut(monomial) {
-            Some(known) => *known = known.add(&own),
-            None => drop(total.insert(monomial.clone(), own)),
+        let whole = match total.get(monomial) {
+            Some(known) => known.add(&own),
+            None => own,
+        };
+        if whole.is_zero() {
+            total.remove(monomial);
+        } else {
+            total.insert(monomial.clone(), whole);
         }
     }
-    total.retain(|_, k| !k.is_zero());
 }
 
 /// Product of powers of terms, multiplied out. `None` if the result is too long or an exponent is too large.
