@@ -129,15 +129,18 @@ fn groups_with_lost_square(arena: &mut Arena, sum: Expr) -> Vec<(Expr, Expr)> {
     if list.len() > MOST_GROUPED {
         return Vec::new();
     }
-    // Each bit of a choice stands for a term.
-    let choices = (1_u32..1 << list.len()).filter(|choice| choice.count_ones() > 1);
+    // Each bit of a choice stands for a term. The square of the whole sum is a change of a factor.
+    let whole = (1_u32 << list.len()) - 1;
+    let choices = (1..whole).filter(|choice| choice.count_ones() > 1);
     let mut groups = Vec::new();
     for choice in choices {
         let chosen: Vec<Expr> = (0..list.len()).filter(|at| choice >> at & 1 == 1).map(|at| list[at]).collect();
         let group = arena.sum(&chosen);
         let (content, bare) = arena.split_content(group);
         let square = arena.square(bare);
-        for factor in [content.clone(), content.neg(), content.mul(&content)] {
+        let inside = content.mul(&content);
+        let inverted = Some(content.neg()).filter(|k| !k.is_negative());
+        for factor in inverted.into_iter().chain([content, inside]) {
             groups.push((group, arena.scale(square, &factor)));
         }
     }

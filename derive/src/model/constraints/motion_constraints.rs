@@ -23,6 +23,7 @@ pub struct SpeedDefinitions<'s> {
 use super::assembly::Assembly;
 use super::configuration_constraints::{Drive, StatedConstraint};
 use super::independent_constraints::{ConstrainedSystem, ConstraintCandidate, IndependentConstraints};
+use super::redundant_constraints::MeantPoses;
 use crate::algebra::Expr;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -270,9 +271,8 @@ impl<'a> Loading<'a> {
             coordinates,
             SpeedDefinitions { definitions: &speeds, brought: &brought },
             &known,
-            home.as_ref().map(|(pose, place)| (pose.as_slice(), *place)),
+            MeantPoses { home: home.as_ref().map(|(pose, place)| (pose.as_slice(), *place)), orientations },
             also_at,
-            orientations,
             &mut ties,
         );
         (self.reader.errors.len() == before).then_some(ties)

@@ -12,20 +12,28 @@ use crate::model::{Coordinate, HeldOrientation, MotionConstraintKind, RedundantC
 use crate::plain_text::with_significant_digits;
 use std::ops::{Range, RangeInclusive};
 
+/// Closed poses in which a mechanism is meant to be.
+#[derive(Clone, Copy)]
+pub struct MeantPoses<'m> {
+    /// Pose near which the mechanism is assembled, with its place in the model file; `None` if the file states none.
+    pub home: Option<(&'m [f64], &'m Range<usize>)>,
+    /// Orientations that joints hold in the poses.
+    pub orientations: &'m [HeldOrientation],
+}
+
 impl Loading<'_> {
     /// Removes from `ties` the constraints that follow from others in all poses in which the loops are closed. If
     /// there are too many speeds, chooses among those of joints.
     ///
     /// If no closed pose is found, removes the constraints at the indices `also`. Their rates follow from the other
-    /// constraints in every pose. Closed poses have the given `orientations`.
+    /// constraints in every pose.
     pub fn remove_redundant_constraints(
         &mut self,
         coordinates: &[Coordinate],
         speeds: SpeedDefinitions<'_>,
         defaults: &[(Expr, f64)],
-        home: Option<(&[f64], &Range<usize>)>,
+        meant: MeantPoses<'_>,
         also: Range<usize>,
-        orientations: &[HeldOrientation],
         ties: &mut MotionConstraints,
     ) {
         let SpeedDefinitions { definitions: speeds, brought } = speeds;
@@ -33,8 +41,8 @@ impl Loading<'_> {
             return;
         }
         let declared = brought.iter().filter(|brought| !**brought).count()..=speeds.len();
-        let pose = home.map(|(pose, _)| pose);
-        let found = self.redundancy_in_closed_poses(coordinates, speeds, declared, defaults, pose, orientations, ties);
+        let home = meant.home;
+        let found = self.redundancy_in_closed_poses(coordinates, speeds, declared, defaults, meant, ties);
         let closed = match (found, home) {
             (Ok(closed), _) => closed,
             (Err(gap), Some((_, place))) => {
@@ -115,17 +123,16 @@ impl Loading<'_> {
         self.reader.error(place.clone(), message, help);
     }
 
-    /// Finds closed poses, near the pose `home` if it is given, with the derivatives of constraints and speeds in them.
-    /// The poses are on a branch whose number of degrees of freedom is in `declared`, if the search reaches one. If no
-    /// closed pose is found, the error is the loop that stays open the most near `home`, as (index, gap in SI units).
+    /// Finds closed poses that are meant, with the derivatives of constraints and speeds in them. The poses are on a
+    /// branch whose number of degrees of freedom is in `declared`, if the search reaches one. If no closed pose is
+    /// found, the error is the loop that stays open the most near the assembled pose, as (index, gap in SI units).
     fn redundancy_in_closed_poses(
         &mut self,
         coordinates: &[Coordinate],
         speeds: &[Expr],
         declared: RangeInclusive<usize>,
         defaults: &[(Expr, f64)],
-        home: Option<&[f64]>,
-        orientations: &[HeldOrientation],
+        meant: MeantPoses<'_>,
         ties: &MotionConstraints,
     ) -> Result<ClosedPoses, Option<(usize, f64)>> {
         let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
@@ -140,7 +147,8 @@ impl Loading<'_> {
             random_coordinate_ranges(coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
         let places: Vec<Expr> = coordinates.iter().map(|c| c.symbol).collect();
         let equations: Vec<Expr> = ties.loops.iter().map(|c| c.equation).collect();
-        let sides = orientation_program(&self.arena, defaults, &places, orientations);
+        let sides = orientation_program(&self.arena, defaults, &places, meant.orientations);
+        let home = meant.home.map(|(pose, _)| pose);
         let poses = ClosedPoseSearch {
             known: defaults,
             coordinates: &places,
