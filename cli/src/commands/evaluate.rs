@@ -196,7 +196,7 @@ fn extended_values(system: &dyn System<DoubleDouble>, state: &State) -> Option<E
         forcing: rounded(&forcing),
         unknowns: rounded(&unknowns),
         speed_rates: rounded(&speed_rates),
-        energies: energies.map(|e| e.hi()),
+        energies: energies.map(DoubleDouble::hi),
     })
 }
 
