@@ -6,7 +6,7 @@
 mod angles;
 mod point_search;
 
-pub(in crate::algebra) use angles::{Angles, monomials};
+pub(in crate::algebra) use angles::{AngleKind, Angles, angle, angle_terms};
 pub(in crate::algebra) use point_search::PointSearch;
 
 use super::field::{Field, Generator};
@@ -110,8 +110,8 @@ impl ResiduePoint {
     /// follows from the argument's residue alone, since the argument may be written as different sums.
     fn exponential(&self, argument: Expr, values: &Values<'_, u64>, angles: &Angles) -> Option<u64> {
         let f = self.field;
-        let sum = angles.sum(argument)?;
-        if !sum.iter().all(|(base, _)| angles.base(*base).has_only_symbols) {
+        let sum = angles.sum(argument, AngleKind::Exponential)?;
+        if !sum.iter().all(|(base, _)| angles.base(*base).is_plain) {
             let (x, opposite) = (values[argument], f.sub(0, values[argument]));
             let base = self.residue(("power", x.min(opposite)));
             return if x <= opposite { Some(base) } else { f.inverse(base) };
@@ -136,7 +136,7 @@ impl ResiduePoint {
         bases: &mut FxHashMap<u64, (u64, u64)>,
     ) -> Option<(u64, u64)> {
         let mut angle = (0, 1);
-        for (place, multiple) in angles.sum(argument)? {
+        for (place, multiple) in angles.sum(argument, AngleKind::Circular)? {
             let base = angles.base(*place);
             let is_pi = matches!(base.monomial[..], [(term, 1)] if *arena.node(term) == Node::Pi);
             let (unit, multiple) = if is_pi && 12 % base.denominator == 0 {

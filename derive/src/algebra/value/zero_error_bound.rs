@@ -8,7 +8,7 @@
 //! most degree(N)/p (Schwartz 1980, Zippel 1979). All its coefficients vanish only modulo a prime
 //! that divides them all. A coefficient has at most log₂|N|/60 prime factors of 60 bits.
 
-use super::residues::{Angles, POINTS};
+use super::residues::{AngleKind, Angles, POINTS};
 use crate::algebra::term::elementary::is_exponential;
 use crate::algebra::term::fold::{Fold, FoldOrder, Values};
 use crate::algebra::{Arena, Expr, Function, Rational};
@@ -119,7 +119,7 @@ impl Fold for PolynomialBoundRules<'_> {
         // A base angle that is too large has no bound.
         let degree = self
             .angles
-            .sum(argument)
+            .sum(argument, if is_exponential(f) { AngleKind::Exponential } else { AngleKind::Circular })
             .map_or(f64::INFINITY, |sum| sum.iter().map(|(_, multiple)| multiple.unsigned_abs() as f64).sum::<f64>());
         let degree = degree + inner.degree;
         Some(PolynomialBound { degree, bits: 2.0 * degree, denominator: Some(1), ..PolynomialBound::default() })

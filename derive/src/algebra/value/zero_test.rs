@@ -19,9 +19,10 @@
 //! nothing, and the answer is [`ZeroTest::Undecided`].
 
 use super::field::Field;
-use super::residues::{Angles, POINTS, ResiduePoint, monomials, residue_generator, residues_at_point};
+use super::residues::{
+    AngleKind, Angles, POINTS, ResiduePoint, angle, angle_terms, residue_generator, residues_at_point,
+};
 use super::zero_error_bound::false_zero_exponent;
-use crate::algebra::term::elementary::is_exponential;
 use crate::algebra::term::fold::FoldOrder;
 use crate::algebra::{Arena, Expr, Function, Node};
 
@@ -216,24 +217,23 @@ pub fn zero_test_is_proof(arena: &Arena, parts: &[Expr]) -> bool {
     let (mut pi_outside, mut numbers_inside) = (false, false);
     let mut inside_only: rustc_hash::FxHashSet<Expr> = rustc_hash::FxHashSet::default();
     for part in parts {
-        match arena.node(*part) {
-            Node::Apply(function, argument)
-                if matches!(function, Function::Sin | Function::Cos) || is_exponential(*function) =>
-            {
-                for (monomial, k) in monomials(arena, *argument) {
-                    match monomial[..] {
-                        [] => numbers_inside = true,
-                        [(term, 1)] if *arena.node(term) == Node::Pi => {
-                            if is_exponential(*function) || k.small().is_none_or(|(_, d)| 12 % d != 0) {
-                                return false;
-                            }
-                            inside_only.insert(*argument);
+        if let Some((argument, kind)) = angle(arena, *part) {
+            for (monomial, k) in angle_terms(arena, argument, kind) {
+                match monomial[..] {
+                    [] => numbers_inside = true,
+                    [(term, 1)] if *arena.node(term) == Node::Pi => {
+                        if kind == AngleKind::Exponential || k.small().is_none_or(|(_, d)| 12 % d != 0) {
+                            return false;
                         }
-                        _ if monomial.iter().all(|(term, _)| arena.symbol_name(*term).is_some()) => {}
-                        _ => return false,
+                        inside_only.insert(argument);
                     }
+                    _ if monomial.iter().all(|(term, _)| arena.symbol_name(*term).is_some()) => {}
+                    _ => return false,
                 }
             }
+            continue;
+        }
+        match arena.node(*part) {
             Node::Apply(Function::Sqrt | Function::Abs | Function::Sign, _) => {}
             Node::Apply(..) => return false,
             Node::Sum(_, terms) => {
@@ -293,7 +293,9 @@ mod tests {
             "sin(q*(a + b*q)/3) - sin(a*q/3)*cos(b*q^2/3) - cos(a*q/3)*sin(b*q^2/3)",
             "cos((a + q)^2) - cos(a^2 + 2*a*q)*cos(q^2) + sin(a^2 + 2*a*q)*sin(q^2)",
             "sin((a + b)/a) - sin(1 + b/a)",
-            "exp(a*(b + c)) - exp(a*b)*exp(a*c)",
+            "exp((sin(q)^2 + cos(q)^2)*a/b) - exp(a/b)",
+            "exp((a^2 + b^2)/c) - exp(((a*cos(q) + b*sin(q))^2 + (a*sin(q) - b*cos(q))^2)/c)",
+            "sin(a*(sin(q)^2 + cos(q)^2)) - sin(a)",
             "sin((a + b)^40) - sin((b + a)^40)",
         ] {
             assert_eq!(test(text), ZeroTest::Zero, "{text}");

@@ -10,6 +10,7 @@ use crate::algebra::{Arena, Expr};
 use crate::model::HeldOrientation;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
+use std::ops::Range;
 use tripos_linear::{SingularValues, singular_values};
 
 /// Largest number of random starts of a search for closed poses. Mechanisms with many loops have fewer starts.
@@ -64,6 +65,15 @@ pub struct ClosedPoseSearch<'m> {
     pub sides: Option<&'m Tape>,
     /// Coordinates near which the mechanism is assembled; `None` if the model file does not state them.
     pub home: Option<&'m [f64]>,
+}
+
+/// Closed poses in which a mechanism is meant to be.
+#[derive(Clone, Copy)]
+pub struct MeantPoses<'m> {
+    /// Pose near which the mechanism is assembled, with its place in the model file; `None` if the file states none.
+    pub home: Option<(&'m [f64], &'m Range<usize>)>,
+    /// Orientations that joints hold in the poses.
+    pub orientations: &'m [HeldOrientation],
 }
 
 /// Generator of pseudorandom numbers that are equal on every machine (G. Marsaglia 2003, xorshift64*).

@@ -21,9 +21,9 @@ pub struct SpeedDefinitions<'s> {
 }
 
 use super::assembly::Assembly;
+use super::closed_pose_search::MeantPoses;
 use super::configuration_constraints::{Drive, StatedConstraint};
 use super::independent_constraints::{ConstrainedSystem, ConstraintCandidate, IndependentConstraints};
-use super::redundant_constraints::MeantPoses;
 use crate::algebra::Expr;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Substitution};

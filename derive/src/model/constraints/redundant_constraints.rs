@@ -1,25 +1,16 @@
 //! Choices made in the closed poses of a mechanism: redundant constraints, and the joint speeds that become
 //! generalized speeds.
 
-use super::closed_pose_search::{ClosedPoseSearch, orientation_program, random_coordinate_ranges};
+use super::closed_pose_search::{ClosedPoseSearch, MeantPoses, orientation_program, random_coordinate_ranges};
 use super::closed_poses::{ClosedPoses, RedundantRow};
 use super::motion_constraints::{MotionConstraints, SpeedDefinitions};
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::value::rank::rank;
 use crate::model::reading::loading::Loading;
-use crate::model::{Coordinate, HeldOrientation, MotionConstraintKind, RedundantConstraint, Unit};
+use crate::model::{Coordinate, MotionConstraintKind, RedundantConstraint, Unit};
 use crate::plain_text::with_significant_digits;
 use std::ops::{Range, RangeInclusive};
-
-/// Closed poses in which a mechanism is meant to be.
-#[derive(Clone, Copy)]
-pub struct MeantPoses<'m> {
-    /// Pose near which the mechanism is assembled, with its place in the model file; `None` if the file states none.
-    pub home: Option<(&'m [f64], &'m Range<usize>)>,
-    /// Orientations that joints hold in the poses.
-    pub orientations: &'m [HeldOrientation],
-}
 
 impl Loading<'_> {
     /// Removes from `ties` the constraints that follow from others in all poses in which the loops are closed. If

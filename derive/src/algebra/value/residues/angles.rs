@@ -1,9 +1,9 @@
 //! Angles and exponents as sums of whole multiples of base angles.
 //!
-//! An angle is multiplied out to a sum Σ k · monomial with rational factors k. So the angles q (a + b q) and
-//! a q + b q² have the same base angles, and their sines have the same residues.
+//! An angle of symbols is multiplied out to a sum Σ k · monomial with rational factors k. So the angles q (a + b q)
+//! and a q + b q² have the same base angles, and their sines have the same residues.
 
-use crate::algebra::term::elementary::is_exponential;
+use crate::algebra::term::elementary::{angle_atoms, is_exponential};
 use crate::algebra::term::fold::FoldOrder;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use num_integer::Integer;
@@ -22,57 +22,68 @@ const MOST_PRODUCTS: usize = 256;
 /// Largest exponent with which a sum is multiplied out.
 const LARGEST_POWER: u32 = 16;
 
-/// Base angle: a monomial divided by the common denominator of its factors in all angles and exponents.
+/// Base angle: a monomial divided by the common denominator of its factors in all angles, or in all exponents.
 pub(in crate::algebra) struct BaseAngle {
     /// Monomial that is divided.
     pub monomial: Monomial,
     /// Least common denominator of the factors of the monomial; 0 if it does not fit a 64-bit integer.
     pub denominator: i64,
-    /// True if all terms of the monomial are symbols.
-    pub has_only_symbols: bool,
+    /// True if the monomial is a product of positive powers of symbols.
+    pub is_plain: bool,
 }
+
+/// A sum Σ n · base angle: pairs (index of the base angle, n). `None` if a whole number n does not fit a 64-bit
+/// integer.
+type Multiples = Option<Vec<(usize, i64)>>;
 
 /// Angles and exponents of given terms: the arguments of sines, cosines, and of functions made of powers of e.
 pub(in crate::algebra) struct Angles {
     /// Base angles of all arguments.
     bases: Vec<BaseAngle>,
-    /// Each argument as a sum Σ n · base angle: pairs (index of the base angle, n). `None` if a whole number n does not
-    /// fit a 64-bit integer.
-    sums: FxHashMap<Expr, Option<Vec<(usize, i64)>>>,
+    /// Each argument of a kind of function as a sum of multiples of base angles.
+    sums: FxHashMap<(Expr, AngleKind), Multiples>,
+}
+
+/// Kind of functions whose arguments are divided into base angles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(in crate::algebra) enum AngleKind {
+    /// Sine and cosine.
+    Circular,
+    /// The exponential function and the hyperbolic functions.
+    Exponential,
 }
 
 impl Angles {
     /// Finds the base angles of all sines, cosines and powers of e among the given terms.
     pub fn new(arena: &Arena, parts: &[Expr]) -> Self {
-        let arguments: FxHashSet<Expr> = parts.iter().filter_map(|part| angle_argument(arena, *part)).collect();
-        let (mut bases, mut sums) = (Vec::new(), FxHashMap::default());
-        if arguments.is_empty() {
-            return Self { bases, sums };
-        }
-        let mut arguments: Vec<Expr> = arguments.into_iter().collect();
+        let arguments: FxHashSet<(Expr, AngleKind)> = parts.iter().filter_map(|part| angle(arena, *part)).collect();
+        let mut arguments: Vec<(Expr, AngleKind)> = arguments.into_iter().collect();
         arguments.sort_unstable();
-        let angle_sums = angle_sums(arena, &arguments);
-        let mut places: FxHashMap<&Monomial, usize> = FxHashMap::default();
-        for (monomial, k) in arguments.iter().flat_map(|argument| &angle_sums[argument]) {
-            let place = *places.entry(monomial).or_insert_with(|| {
-                let has_only_symbols = monomial.iter().all(|(term, _)| arena.symbol_name(*term).is_some());
-                bases.push(BaseAngle { monomial: monomial.clone(), denominator: 1, has_only_symbols });
-                bases.len() - 1
-            });
-            let (known, own) = (bases[place].denominator, k.small().map_or(1, |(_, d)| d));
-            if known != 0 {
-                bases[place].denominator = (known / known.gcd(&own)).checked_mul(own).unwrap_or(0);
+        let mut bases: Vec<BaseAngle> = Vec::new();
+        let mut places: FxHashMap<(Monomial, AngleKind), usize> = FxHashMap::default();
+        let mut lists = Vec::with_capacity(arguments.len());
+        for (argument, kind) in &arguments {
+            let mut list = Vec::new();
+            for (monomial, k) in angle_terms(arena, *argument, *kind) {
+                let place = *places.entry((monomial, *kind)).or_insert_with_key(|(monomial, _)| {
+                    let is_plain = monomial.iter().all(|(term, n)| *n > 0 && arena.symbol_name(*term).is_some());
+                    bases.push(BaseAngle { monomial: monomial.clone(), denominator: 1, is_plain });
+                    bases.len() - 1
+                });
+                let (known, own) = (bases[place].denominator, k.small().map_or(1, |(_, d)| d));
+                if known != 0 {
+                    bases[place].denominator = (known / known.gcd(&own)).checked_mul(own).unwrap_or(0);
+                }
+                list.push((place, k));
             }
+            lists.push(list);
         }
-        for argument in &arguments {
-            let multiples = angle_sums[argument].iter().map(|(monomial, k)| {
-                let place = places[monomial];
-                let denominator = bases[place].denominator;
-                let multiple = k.mul(&Rational::integer(denominator)).to_i64();
-                multiple.filter(|_| denominator != 0).map(|multiple| (place, multiple))
-            });
-            sums.insert(*argument, multiples.collect());
-        }
+        let multiple = |(place, k): &(usize, Rational)| {
+            let denominator = Some(bases[*place].denominator).filter(|d| *d != 0)?;
+            Some((*place, k.mul(&Rational::integer(denominator)).to_i64()?))
+        };
+        let sums = lists.iter().map(|list| list.iter().map(multiple).collect());
+        let sums = arguments.iter().copied().zip(sums).collect();
         Self { bases, sums }
     }
 
@@ -83,26 +94,49 @@ impl Angles {
 
     /// An angle or exponent as a sum Σ n · base angle: pairs (index of the base angle, n). `None` if a base angle or a
     /// multiple n is too large, or if the argument is none of these angles.
-    pub fn sum(&self, argument: Expr) -> Option<&[(usize, i64)]> {
-        self.sums.get(&argument)?.as_deref()
+    pub fn sum(&self, argument: Expr, kind: AngleKind) -> Option<&[(usize, i64)]> {
+        self.sums.get(&(argument, kind))?.as_deref()
     }
 }
 
-/// Argument of a sine, a cosine or a function made of powers of e; `None` for any other term.
-fn angle_argument(arena: &Arena, term: Expr) -> Option<Expr> {
-    match arena.node(term) {
-        Node::Apply(function, argument)
-            if matches!(function, Function::Sin | Function::Cos) || is_exponential(*function) =>
-        {
-            Some(*argument)
+/// Argument of a sine, a cosine or a function made of powers of e, with the kind of the function; `None` for any other
+/// term.
+pub(in crate::algebra) fn angle(arena: &Arena, term: Expr) -> Option<(Expr, AngleKind)> {
+    let Node::Apply(function, argument) = arena.node(term) else { return None };
+    if matches!(function, Function::Sin | Function::Cos) {
+        return Some((*argument, AngleKind::Circular));
+    }
+    is_exponential(*function).then_some((*argument, AngleKind::Exponential))
+}
+
+/// Terms Σ k · monomial of an angle or exponent, as pairs (monomial, k).
+///
+/// An angle is multiplied out if it is a polynomial of symbols and π. Any other angle is divided into its printed
+/// terms, since functions in it may cancel; the value of such a term identifies it. Exponents are always divided into
+/// their printed terms: an exponent in which one is no product of symbols is identified by its value as a whole.
+pub(in crate::algebra) fn angle_terms(arena: &Arena, argument: Expr, kind: AngleKind) -> Vec<(Monomial, Rational)> {
+    if kind == AngleKind::Circular {
+        let sum = angle_sums(arena, &[argument]).remove(&argument).unwrap_or_default();
+        let is_known = |term: Expr| arena.symbol_name(term).is_some() || *arena.node(term) == Node::Pi;
+        if sum.keys().flatten().all(|(term, _)| is_known(*term)) {
+            return sum.into_iter().collect();
         }
-        _ => None,
     }
+    let printed = angle_atoms(arena, argument).into_iter();
+    printed.map(|(atom, k)| (monomial_of_atom(arena, atom), k)).collect()
 }
 
-/// Monomials of an angle that is multiplied out, each with its factor.
-pub(in crate::algebra) fn monomials(arena: &Arena, angle: Expr) -> Vec<(Monomial, Rational)> {
-    angle_sums(arena, &[angle]).remove(&angle).into_iter().flatten().collect()
+/// Monomial of a printed term of an angle: its powers if it is a product of powers of symbols, else the term itself.
+fn monomial_of_atom(arena: &Arena, atom: Expr) -> Monomial {
+    match arena.node(atom) {
+        _ if atom == Expr::ONE => Monomial::new(),
+        Node::Product(factors) if factors.iter().all(|(base, _)| arena.symbol_name(*base).is_some()) => {
+            let mut powers = factors.to_vec();
+            powers.sort_unstable();
+            powers
+        }
+        _ => vec![(atom, 1)],
+    }
 }
 
 /// Given angles and all their subterms, multiplied out.
