@@ -343,31 +343,3 @@ fn ten_windows_swing_as_one() {
         assert!(apart < 1e-10, "{name}: {apart}");
     }
 }
-
-/// Goal: a long planar loop with a coupling q1 = a + b q2 + c q2² runs by Kane's and by Lagrange's equations. Method:
-/// the energy falls by the work of the dampers, the loop stays closed, and both formulations agree.
-///
-/// The angle of one frame is a product in some equations and a sum in others, since the coupling is differentiated.
-/// Such angles were taken for different ones, so that each run stopped for a false fault of Tripos.
-#[test]
-fn a_long_loop_with_a_quadratic_coupling_runs() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/repro/quadratic_coupling");
-    let scene = Scene::read(folder.join("scene.toml")).unwrap_or_else(|e| panic!("{e}"));
-    let mut ends = Vec::new();
-    for by in ["kane", "lagrange"] {
-        for solve in [None, Some("numeric")] {
-            let run = run(&scene, by, solve, None);
-            assert!(run.objections().is_empty(), "{by}: {:?}", run.objections());
-            let largest = run.residuals.iter().map(|residual| residual.largest.abs()).fold(0.0, f64::max);
-            assert!(run.residuals.len() >= 2 && largest < 1e-11, "{by}: {:?}", run.residuals);
-            let drift = run.energy_drift.unwrap();
-            assert!(drift.abs() < 1e-7, "{by}: {drift}");
-            ends.push((by, run.end.clone()));
-        }
-    }
-    for (by, end) in &ends {
-        for (a, b) in end.iter().zip(&ends[0].1) {
-            assert!((a - b).abs() < 1e-6, "{by}: {a}, {b}");
-        }
-    }
-}

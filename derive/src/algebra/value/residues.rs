@@ -3,17 +3,15 @@
 //! Residues depend on the point and on the names of symbols, never on handles. So every run gives
 //! the same residues.
 
-mod angles;
 mod point_search;
 
-pub(in crate::algebra) use angles::{AngleKind, Angles, angle, angle_terms};
 pub(in crate::algebra) use point_search::PointSearch;
 
 use super::field::{Field, Generator};
-use crate::algebra::term::elementary::is_exponential;
+use crate::algebra::term::elementary::{angle_atoms, is_exponential};
 use crate::algebra::term::fold::{Fold, FoldOrder, Values};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
-use angles::BaseAngle;
+use num_integer::Integer;
 use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 use std::hash::{Hash, Hasher};
 
@@ -94,65 +92,107 @@ impl ResiduePoint {
         (f.add(f.mul(a.0, b.1), f.mul(a.1, b.0)), f.sub(f.mul(a.1, b.1), f.mul(a.0, b.0)))
     }
 
-    /// Residue of a base angle or base exponent, by which it is identified: equal ones have equal residues. `None` if
-    /// it has no residue at this point.
-    fn base(&self, base: &BaseAngle, values: &Values<'_, u64>) -> Option<u64> {
-        let f = self.field;
-        let divisor = f.inverse(u64::try_from(base.denominator).ok()?)?;
-        base.monomial
-            .iter()
-            .try_fold(divisor, |product, (term, n)| Some(f.mul(product, f.signed_power(values[*term], *n)?)))
-    }
-
     /// Residue of e to the power of an argument. `None` if it is 0 or a denominator is too large.
     ///
-    /// If the argument is a sum of products of symbols, the residue follows from theirs. For any other argument it
-    /// follows from the argument's residue alone, since the argument may be written as different sums.
-    fn exponential(&self, argument: Expr, values: &Values<'_, u64>, angles: &Angles) -> Option<u64> {
+    /// If the argument is a sum of symbols and of products of symbols, the residue follows from
+    /// theirs. For any other argument it follows from the argument's residue alone, since the
+    /// argument may be written as different sums.
+    fn exponential(
+        &self,
+        arena: &Arena,
+        argument: Expr,
+        values: &Values<'_, u64>,
+        denominators: &FxHashMap<Expr, i64>,
+    ) -> Option<u64> {
         let f = self.field;
-        let sum = angles.sum(argument, AngleKind::Exponential)?;
-        if !sum.iter().all(|(base, _)| angles.base(*base).is_plain) {
+        let atoms = angle_atoms(arena, argument);
+        if !atoms.iter().all(|(atom, _)| is_monomial(arena, *atom)) {
             let (x, opposite) = (values[argument], f.sub(0, values[argument]));
             let base = self.residue(("power", x.min(opposite)));
             return if x <= opposite { Some(base) } else { f.inverse(base) };
         }
         let mut product = 1;
-        for (base, multiple) in sum {
-            let base = self.residue(("exponential", self.base(angles.base(*base), values)?));
+        for (atom, k) in atoms {
+            let denominator = denominators[&atom];
+            let value = if atom == Expr::ONE { 1 } else { values[atom] };
+            let name = f.mul(value, f.inverse(u64::try_from(denominator).ok().filter(|d| *d != 0)?)?);
+            let base = self.residue(("exponential", name));
+            let multiple = k.mul(&Rational::integer(denominator)).to_i64()?;
             let own = f.pow(base, multiple.unsigned_abs());
-            product = f.mul(product, if *multiple < 0 { f.inverse(own)? } else { own });
+            product = f.mul(product, if multiple < 0 { f.inverse(own)? } else { own });
         }
         (product != 0).then_some(product)
     }
 
-    /// Residues (sin, cos) of an angle. `values` has the residues of its terms. `bases` stores the residues
+    /// Residues (sin, cos) of an angle, from the residues of its atoms. `bases` stores the residues
     /// of base angles for later calls. `None` if the angle has no residues at this point.
     fn angle(
         &self,
         arena: &Arena,
         argument: Expr,
         values: &Values<'_, u64>,
-        angles: &Angles,
+        denominators: &FxHashMap<Expr, i64>,
         bases: &mut FxHashMap<u64, (u64, u64)>,
     ) -> Option<(u64, u64)> {
+        let f = self.field;
         let mut angle = (0, 1);
-        for (place, multiple) in angles.sum(argument, AngleKind::Circular)? {
-            let base = angles.base(*place);
-            let is_pi = matches!(base.monomial[..], [(term, 1)] if *arena.node(term) == Node::Pi);
-            let (unit, multiple) = if is_pi && 12 % base.denominator == 0 {
-                (self.sine_and_cosine_of_pi_12()?, multiple.checked_mul(12 / base.denominator)?)
+        for (atom, k) in angle_atoms(arena, argument) {
+            let denominator = denominators[&atom];
+            if denominator == 0 {
+                return None;
+            }
+            let (base, parts) = if *arena.node(atom) == Node::Pi && 12 % denominator == 0 {
+                (self.sine_and_cosine_of_pi_12()?, 12)
             } else {
-                let key = self.base(base, values)?;
-                let unit = match bases.get(&key) {
+                // A base angle atom/denominator is identified by its residue, so that identically
+                // equal angles have equal residues. A constant counts as a multiple of the atom 1,
+                // which need not be in `values`.
+                let value = if atom == Expr::ONE { 1 } else { values[atom] };
+                let name = f.mul(value, f.inverse(u64::try_from(denominator).ok()?)?);
+                let base = match bases.get(&name) {
                     Some(known) => *known,
-                    None => self.base_angle(key)?,
+                    None => self.base_angle(name)?,
                 };
-                bases.insert(key, unit);
-                (unit, *multiple)
+                bases.insert(name, base);
+                (base, denominator)
             };
-            angle = self.sine_and_cosine_of_sum(angle, self.sine_and_cosine_of_multiple(unit, multiple));
+            let multiple = k.mul(&Rational::integer(parts)).to_i64()?;
+            angle = self.sine_and_cosine_of_sum(angle, self.sine_and_cosine_of_multiple(base, multiple));
         }
         Some(angle)
+    }
+}
+
+/// Least common denominator of the coefficients of each atom, in all angles and exponents among the
+/// given terms. It is 0 if it does not fit a 64-bit integer.
+pub(in crate::algebra) fn angle_denominators(arena: &Arena, parts: &[Expr]) -> FxHashMap<Expr, i64> {
+    let mut denominators: FxHashMap<Expr, i64> = FxHashMap::default();
+    for part in parts {
+        if let Node::Apply(function, argument) = arena.node(*part)
+            && (matches!(function, Function::Sin | Function::Cos) || is_exponential(*function))
+        {
+            for (atom, k) in angle_atoms(arena, *argument) {
+                let d = k.small().map_or(1, |(_, d)| d);
+                let known = denominators.entry(atom).or_insert(1);
+                if *known == 0 {
+                    continue;
+                }
+                // A denominator that does not fit a 64-bit integer: no point has residues, and the
+                // zero test is undecided.
+                let product = (*known / known.gcd(&d)).checked_mul(d);
+                *known = product.unwrap_or(0);
+            }
+        }
+    }
+    denominators
+}
+
+/// True if the term `e` is a number, a symbol or a product of positive powers of symbols.
+fn is_monomial(arena: &Arena, e: Expr) -> bool {
+    match arena.node(e) {
+        Node::Number(_) | Node::Symbol(_) => true,
+        Node::Product(factors) => factors.iter().all(|(base, n)| *n > 0 && arena.symbol_name(*base).is_some()),
+        _ => false,
     }
 }
 
@@ -161,18 +201,19 @@ impl ResiduePoint {
 pub(in crate::algebra) fn residues_at_point<'n>(
     arena: &Arena,
     needed: &'n FoldOrder,
-    angles: &Angles,
+    denominators: &FxHashMap<Expr, i64>,
     point: &ResiduePoint,
 ) -> Option<Values<'n, u64>> {
-    needed.fold(arena, &mut Residues::new(arena, angles, point.clone()))
+    needed.fold(arena, &mut Residues::new(arena, denominators, point.clone()))
 }
 
 /// Rules that compute the residues of terms at a point of a prime field.
 pub(in crate::algebra) struct Residues<'a> {
     /// Arena of the terms.
     arena: &'a Arena,
-    /// Base angles of the terms.
-    angles: &'a Angles,
+    /// Least common denominator of the coefficients of each atom inside angles; an angle is a sum Σ
+    /// k · atom.
+    denominators: &'a FxHashMap<Expr, i64>,
     /// Point that gives symbols and base angles their residues.
     point: ResiduePoint,
     /// Sets of symbols whose residues are drawn with another seed than that of the point, each with
@@ -182,14 +223,18 @@ pub(in crate::algebra) struct Residues<'a> {
     /// kept because most terms with a sine also contain the cosine.
     bases: FxHashMap<u64, (u64, u64)>,
     /// Residues (sine, cosine) of each angle evaluated so far.
-    sines_and_cosines: FxHashMap<Expr, (u64, u64)>,
+    angles: FxHashMap<Expr, (u64, u64)>,
 }
 
 impl<'a> Residues<'a> {
-    /// Creates the rules at a point. `angles` has the base angles of all terms that are evaluated.
-    pub(in crate::algebra) fn new(arena: &'a Arena, angles: &'a Angles, point: ResiduePoint) -> Self {
-        let (bases, sines_and_cosines) = Default::default();
-        Self { arena, angles, point, moved: &[], bases, sines_and_cosines }
+    /// Creates the rules at a point, with the [denominators][angle_denominators] of all angles.
+    pub(in crate::algebra) fn new(
+        arena: &'a Arena,
+        denominators: &'a FxHashMap<Expr, i64>,
+        point: ResiduePoint,
+    ) -> Self {
+        let (bases, angles) = Default::default();
+        Self { arena, denominators, point, moved: &[], bases, angles }
     }
 
     /// Prime field of the residues.
@@ -200,7 +245,7 @@ impl<'a> Residues<'a> {
     /// Residues (sine, cosine) of an angle whose sine or cosine was already computed; `None` for
     /// any other angle.
     pub(in crate::algebra) fn known_sine_and_cosine(&self, argument: Expr) -> Option<(u64, u64)> {
-        self.sines_and_cosines.get(&argument).copied()
+        self.angles.get(&argument).copied()
     }
 
     /// Residue of exp, sinh, cosh or tanh of an argument, computed from an exponential. `None` if
@@ -212,7 +257,7 @@ impl<'a> Residues<'a> {
         of: &Values<'_, u64>,
     ) -> Option<u64> {
         let f = self.point.field;
-        let e = self.point.exponential(argument, of, self.angles)?;
+        let e = self.point.exponential(self.arena, argument, of, self.denominators)?;
         let (back, half) = (f.inverse(e)?, f.inverse(2)?);
         let (sinh, cosh) = (f.mul(half, f.sub(e, back)), f.mul(half, f.add(e, back)));
         Some(match function {
@@ -226,11 +271,11 @@ impl<'a> Residues<'a> {
     /// Residues (sine, cosine) of an angle; they are stored for later calls. `None` if the angle
     /// has no residues at this point.
     fn sine_and_cosine(&mut self, argument: Expr, of: &Values<'_, u64>) -> Option<(u64, u64)> {
-        if let Some(known) = self.sines_and_cosines.get(&argument) {
+        if let Some(known) = self.angles.get(&argument) {
             return Some(*known);
         }
-        let angle = self.point.angle(self.arena, argument, of, self.angles, &mut self.bases)?;
-        self.sines_and_cosines.insert(argument, angle);
+        let angle = self.point.angle(self.arena, argument, of, self.denominators, &mut self.bases)?;
+        self.angles.insert(argument, angle);
         Some(angle)
     }
 }
@@ -316,7 +361,8 @@ impl PointWithResidues {
     /// residue. Sines and cosines of fractions of an angle agree only within one call.
     pub fn values(&self, arena: &Arena, terms: &[Expr]) -> Option<Vec<u64>> {
         let needed = FoldOrder::new(arena, terms);
-        let values = residues_at_point(arena, &needed, &Angles::new(arena, needed.nodes()), &self.0)?;
+        let denominators = angle_denominators(arena, needed.nodes());
+        let values = residues_at_point(arena, &needed, &denominators, &self.0)?;
         Some(terms.iter().map(|e| values[*e]).collect())
     }
 }
@@ -330,8 +376,9 @@ pub struct ResidueSampler<'a> {
     terms: Vec<Expr>,
     /// The terms with all their subterms, in the order of evaluation.
     needed: FoldOrder,
-    /// Base angles of the terms.
-    angles: Angles,
+    /// Least common denominator of the coefficients of each atom inside angles; an angle is a sum Σ
+    /// k · atom.
+    denominators: FxHashMap<Expr, i64>,
     /// Generator of the primes and seeds.
     generator: Generator,
 }
@@ -340,8 +387,8 @@ impl<'a> ResidueSampler<'a> {
     /// Creates a sampler that evaluates the given terms.
     pub fn new(arena: &'a Arena, terms: Vec<Expr>) -> Self {
         let needed = FoldOrder::new(arena, &terms);
-        let (angles, generator) = (Angles::new(arena, needed.nodes()), residue_generator(arena, &needed));
-        Self { arena, terms, needed, angles, generator }
+        let (denominators, generator) = (angle_denominators(arena, needed.nodes()), residue_generator(arena, &needed));
+        Self { arena, terms, needed, denominators, generator }
     }
 
     /// Draws a random prime field with the sampler's generator.
@@ -359,7 +406,7 @@ impl<'a> ResidueSampler<'a> {
     /// has no residue. An angle without moved symbols keeps its sine and cosine.
     pub fn at(&self, field: Field, seed: u64, moved: &[(&FxHashSet<Expr>, u64)]) -> Option<Vec<u64>> {
         let mut residues =
-            Residues { moved, ..Residues::new(self.arena, &self.angles, ResiduePoint::new(field, seed)) };
+            Residues { moved, ..Residues::new(self.arena, &self.denominators, ResiduePoint::new(field, seed)) };
         let values = self.needed.fold(self.arena, &mut residues)?;
         Some(self.terms.iter().map(|e| values[*e]).collect())
     }

@@ -8,11 +8,12 @@
 //! most degree(N)/p (Schwartz 1980, Zippel 1979). All its coefficients vanish only modulo a prime
 //! that divides them all. A coefficient has at most log₂|N|/60 prime factors of 60 bits.
 
-use super::residues::{AngleKind, Angles, POINTS};
-use crate::algebra::term::elementary::is_exponential;
+use super::residues::POINTS;
+use crate::algebra::term::elementary::{angle_atoms, is_exponential};
 use crate::algebra::term::fold::{Fold, FoldOrder, Values};
 use crate::algebra::{Arena, Expr, Function, Rational};
 use num_integer::Integer;
+use rustc_hash::FxHashMap;
 
 /// Bounds on the parts of a term N / (d ΠB): N is a polynomial, d an integer, and B are the
 /// divisors.
@@ -38,10 +39,10 @@ const LOG_PRIMES: f64 = 60.0 - 5.43 - 3.0 - 2.0;
 /// Exponent k of a bound on errors: the term `e` is wrongly found zero with a probability below
 /// 2^−k. It is 0 if there is no bound.
 ///
-/// The bound is that of a zero test with two primes and two points for each. `angles` has the base
-/// angles of the terms.
-pub(in crate::algebra) fn false_zero_exponent(arena: &Arena, needed: &FoldOrder, angles: &Angles, e: Expr) -> f64 {
-    let Some(sizes) = needed.fold(arena, &mut PolynomialBoundRules { angles }) else { return 0.0 };
+/// The bound is that of a zero test with two primes and two points for each. `finest` has the least
+/// common denominator of the coefficients of each atom inside angles.
+pub fn false_zero_exponent(arena: &Arena, needed: &FoldOrder, finest: &FxHashMap<Expr, i64>, e: Expr) -> f64 {
+    let Some(sizes) = needed.fold(arena, &mut PolynomialBoundRules { arena, finest }) else { return 0.0 };
     let size = &sizes[e];
     // Sines and cosines have degree 2 in t, and their coefficients are twice as large.
     let degree = (2.0 * size.degree).max(1.0);
@@ -79,8 +80,11 @@ fn bound_of_number(value: &Rational) -> PolynomialBound {
 
 /// Rules that bound the polynomials of each term.
 struct PolynomialBoundRules<'a> {
-    /// Base angles of the terms.
-    angles: &'a Angles,
+    /// Arena of the terms.
+    arena: &'a Arena,
+    /// Least common denominator of the coefficients of each atom inside angles. An angle is a sum Σ
+    /// k · atom.
+    finest: &'a FxHashMap<Expr, i64>,
 }
 
 impl Fold for PolynomialBoundRules<'_> {
@@ -116,12 +120,13 @@ impl Fold for PolynomialBoundRules<'_> {
                 ..inner.clone()
             });
         }
-        // A base angle that is too large has no bound.
-        let degree = self
-            .angles
-            .sum(argument, if is_exponential(f) { AngleKind::Exponential } else { AngleKind::Circular })
-            .map_or(f64::INFINITY, |sum| sum.iter().map(|(_, multiple)| multiple.unsigned_abs() as f64).sum::<f64>());
-        let degree = degree + inner.degree;
+        // k · atom is k · d base angles, where d is the common denominator of all coefficients of
+        // this atom. The denominator 0 stands for one that is too large.
+        let multiples = angle_atoms(self.arena, argument).into_iter().map(|(atom, k)| match self.finest.get(&atom) {
+            Some(0) | None => f64::INFINITY,
+            Some(d) => k.to_f64().abs() * *d as f64,
+        });
+        let degree = multiples.sum::<f64>() + inner.degree;
         Some(PolynomialBound { degree, bits: 2.0 * degree, denominator: Some(1), ..PolynomialBound::default() })
     }
 }

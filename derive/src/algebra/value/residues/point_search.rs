@@ -5,11 +5,11 @@
 //! that contain no later symbol. The cost is 2^k for the k roots of a single group, not for the
 //! roots of all groups together.
 
-use super::{Angles, Hashes, ResiduePoint, Residues, residue_generator};
+use super::{Hashes, ResiduePoint, Residues, angle_denominators, residue_generator};
 use crate::algebra::term::fold::{FoldOrder, Values};
 use crate::algebra::value::field::{Field, Generator};
 use crate::algebra::{Arena, Expr, Function, Node};
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Largest number of nodes that are evaluated in the search for a point.
 const MOST_WORK: usize = 4_000_000;
@@ -77,8 +77,9 @@ pub(crate) struct PointSearch<'a> {
     arena: &'a Arena,
     /// Terms for which a point is searched, with all their subterms.
     needed: FoldOrder,
-    /// Base angles of the terms.
-    angles: Angles,
+    /// Least common denominator of the coefficients of each atom inside angles; an angle is a sum Σ
+    /// k · atom.
+    denominators: FxHashMap<Expr, i64>,
     /// Generator of primes and seeds.
     generator: Generator,
     /// Groups of symbols, in the order in which they are drawn.
@@ -100,20 +101,20 @@ impl<'a> PointSearch<'a> {
     /// says so, have residues.
     fn for_scope(arena: &'a Arena, terms: &[Expr], scope: Scope) -> Self {
         let needed = FoldOrder::new(arena, terms);
-        let angles = Angles::new(arena, needed.nodes());
+        let denominators = angle_denominators(arena, needed.nodes());
         let generator = residue_generator(arena, &needed);
         let groups = groups_of_roots(arena, &needed, scope);
-        Self { arena, needed, angles, generator, groups }
+        Self { arena, needed, denominators, generator, groups }
     }
 
     /// Draws the next random point at which all square roots exist. Each point has another prime.
     /// `None` if no point was found within the limit of work.
     pub fn point(&mut self) -> Option<ResiduePoint> {
-        let (arena, angles, generator) = (self.arena, &self.angles, &mut self.generator);
+        let (arena, denominators, generator) = (self.arena, &self.denominators, &mut self.generator);
         let mut work = MOST_WORK;
         while work > 0 {
             let mut point = ResiduePoint::new(Field::random(generator), generator.next());
-            if self.groups.iter().all(|group| group.draw(arena, angles, &mut point, generator, &mut work)) {
+            if self.groups.iter().all(|group| group.draw(arena, denominators, &mut point, generator, &mut work)) {
                 return Some(point);
             }
         }
@@ -122,7 +123,7 @@ impl<'a> PointSearch<'a> {
 
     /// Rules that compute the residues of the terms at a point.
     pub fn residues(&self, point: ResiduePoint) -> Residues<'_> {
-        Residues::new(self.arena, &self.angles, point)
+        Residues::new(self.arena, &self.denominators, point)
     }
 
     /// Terms of the search, with all their subterms, in the order of evaluation.
@@ -144,7 +145,7 @@ impl Group {
     fn draw(
         &self,
         arena: &Arena,
-        angles: &Angles,
+        denominators: &FxHashMap<Expr, i64>,
         point: &mut ResiduePoint,
         generator: &mut Generator,
         work: &mut usize,
@@ -152,7 +153,7 @@ impl Group {
         loop {
             let exists = self.roots.iter().all(|(root, needed)| {
                 *work = work.saturating_sub(needed.nodes().len());
-                let values = needed.fold(arena, &mut Residues::new(arena, angles, point.clone()));
+                let values = needed.fold(arena, &mut Residues::new(arena, denominators, point.clone()));
                 values.is_some_and(|values| root.exists(point.field, values[root.argument()]))
             });
             if exists || self.symbols.is_empty() || *work == 0 {
